@@ -143,7 +143,7 @@ struct ForceOfTable {
   std::int32_t table;  ///< its number
   const S* force;      ///< of each along its normal [force]
 
-  PINBALL_FUNCTION void operator()(std::int64_t i, ForceSum& sum) const {
+  PINBALL_FUNCTION void operator()(std::int64_t i, VectorSum& sum) const {
     if (held[i].table != table) return;
     const double size = force[i];
     const auto* const normal = held[i].normal;

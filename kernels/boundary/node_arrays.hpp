@@ -38,11 +38,11 @@ PINBALL_FUNCTION void add_to_force(const NodeArrays<S>& nodes, std::int64_t n, c
   for (int k = 0; k < 3; ++k) nodes.force[4 * n + k] += force[k];
 }
 
-/// Three numbers that are summed up [force].
-struct ForceSum {
+/// Three numbers that are summed up.
+struct VectorSum {
   double x = 0, y = 0, z = 0;
 
-  PINBALL_FUNCTION void join(const ForceSum& other) {
+  PINBALL_FUNCTION void join(const VectorSum& other) {
     x += other.x;
     y += other.y;
     z += other.z;
@@ -87,7 +87,7 @@ struct TotalOfForces {
   NodeArrays<S> nodes;
   Forces forces;
 
-  PINBALL_FUNCTION void operator()(std::int64_t i, ForceSum& sum) const {
+  PINBALL_FUNCTION void operator()(std::int64_t i, VectorSum& sum) const {
     S force[3];
     forces.find(nodes, i, force);
     sum.join({force[0], force[1], force[2]});

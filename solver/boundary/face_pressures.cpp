@@ -83,7 +83,7 @@ template <class S>
 Point FacePressures<S>::force_of(const Load& load) {
   if (load.force_read) return *load.force_read;
   if (!load.acts) return {};
-  const ForceSum force = load.faces->force();
+  const VectorSum force = load.faces->force();
   return {force.x, force.y, force.z};
 }
 

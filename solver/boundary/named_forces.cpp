@@ -35,7 +35,7 @@ std::vector<Point> BoundaryConditions<S>::named_forces(const Model<S>& model, do
   if (forces_read_) return *forces_read_;
   const Scene& scene = model.scene;
   std::vector<Point> sums(named_.names().size(), Point{});
-  const auto add = [&](const std::string& name, const ForceSum& force) {
+  const auto add = [&](const std::string& name, const VectorSum& force) {
     named_.add(name, {force.x, force.y, force.z}, sums);
   };
   for (std::size_t t = 0; constrains_ && t < scene.constraints.size() + scene.fixed_constraints.size(); ++t) {

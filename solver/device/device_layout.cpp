@@ -20,22 +20,30 @@ constexpr std::size_t multiple_of(std::size_t places) {
 
 template <class S>
 DeviceLayout<S>::DeviceLayout(const Model<S>& model) : place_of_slot_(model.elements.slots, std::int64_t{-1}) {
-  std::size_t tile = 0;
-  for (std::size_t part = 0; part < model.parts.size(); ++part) {
-    const std::int64_t first = slot_of_place_.size();
-    for (; tile < model.tile_part.size() && model.tile_part[tile] == static_cast<std::int32_t>(part); ++tile) {
-      for (const std::int64_t slot : model.slots_of(tile)) {
-        if (model.is_padding(slot)) continue;
-        place_of_slot_[slot] = slot_of_place_.size();
-        slot_of_place_.push_back(slot);
-      }
-      slot_of_place_.resize(multiple_of<widest_pack<S>>(slot_of_place_.size()), -1);
-      tile_.resize(slot_of_place_.size() / widest_pack<S>, tile);
+  std::int32_t tile = 0;
+  for (std::int32_t part = 0; part < std::ssize(model.parts); ++part) {
+    const auto is_of_part = [&] { return tile < model.tile_count() && model.tile_part[tile] == part; };
+    while (is_of_part()) {
+      const std::int64_t first = slot_of_place_.size();
+      const std::int32_t body = model.tile_body.empty() ? -1 : model.tile_body[tile];
+      for (; is_of_part() && (body < 0 || model.tile_body[tile] == body); ++tile) add_tile(model, tile);
+      slot_of_place_.resize(multiple_of<device_row>(slot_of_place_.size()), -1);
+      tile_.resize(slot_of_place_.size() / widest_pack<S>, tile - 1);
+      if (model.parts[part].rigid) continue;  // no kernel works them
+      parts_.push_back({model.parts[part].features, model.constants[part], first, std::ssize(slot_of_place_), body});
     }
-    slot_of_place_.resize(multiple_of<device_row>(slot_of_place_.size()), -1);
-    tile_.resize(slot_of_place_.size() / widest_pack<S>, tile - 1);
-    parts_.push_back({model.parts[part].features, model.constants[part], first, std::ssize(slot_of_place_)});
   }
+}
+
+template <class S>
+void DeviceLayout<S>::add_tile(const Model<S>& model, std::int32_t tile) {
+  for (const std::int64_t slot : model.slots_of(tile)) {
+    if (model.is_padding(slot)) continue;
+    place_of_slot_[slot] = slot_of_place_.size();
+    slot_of_place_.push_back(slot);
+  }
+  slot_of_place_.resize(multiple_of<widest_pack<S>>(slot_of_place_.size()), -1);
+  tile_.resize(slot_of_place_.size() / widest_pack<S>, tile);
 }
 
 /// In rows, what the host has in packs; padding is zero.

@@ -22,12 +22,15 @@ class DeviceLayout {
   void to_model(const DeviceState<S>& state, Model<S>& model) const;
 
   std::int64_t slot_of_place(std::int64_t place) const { return slot_of_place_[place]; }
+  /// Bodies of the parts of mesh(): DevicePart::body.
+  std::int32_t body_of_part(std::size_t part) const { return parts_[part].body; }
   /// Per slot; -1: padding.
   const std::vector<std::int64_t>& places_of_slots() const { return place_of_slot_; }
   /// Of no padding.
   std::int64_t place_of_slot(std::int64_t slot) const { return place_of_slot_[slot]; }
 
  private:
+  void add_tile(const Model<S>& model, std::int32_t tile);
   template <class T>
   Array<T> rows_of(const Array<T>& packs, int components) const;
   template <class T>

@@ -21,6 +21,7 @@ struct DevicePart {
   ElementFeatures features{};
   ElementConstants<S> constants;  ///< its arrays of yield curves are the host's
   std::int64_t first = 0, last = 0;
+  std::int32_t body = -1;  ///< that all of them are of, where output.body_energies asks for it
 };
 
 /// What never changes. A place is what a slot is to the host: where an element is in all arrays.

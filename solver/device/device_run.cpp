@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
 
 #include <solver/base/built_features.hpp>
@@ -10,6 +11,7 @@
 #include <solver/boundary/space/make_boundary_kernels.hpp>
 #include <solver/scene_rules.hpp>
 
+#include "body_elements.hpp"
 #include "devices.hpp"
 #include "resting_list.hpp"
 
@@ -20,13 +22,8 @@ std::string missing_on_device(const Scene& scene) {
   const auto add = [&missing](bool is_there, const char* what) {
     if (is_there) missing.emplace_back(what);
   };
-  const ContactMethod method = scene.contact.method;  // not set: of a scene whose bodies are not known yet
-  add(method == ContactMethod::pinball || method == ContactMethod::slideline, "contact");
-  add(!scene.tied_contacts.empty(), "tied contact");
-  add(!scene.rigid_bodies.empty(), "rigid bodies");
   add(scene.time.subcycling, "subcycling");
   add(scene.precision == Precision::mixed, "precision = \"mixed\"");
-  add(scene.output.body_energies, "output.body_energies");
   return fmt::format("{}", fmt::join(missing, ", "));
 }
 
@@ -62,14 +59,17 @@ template <class S>
 DeviceRun<S>::DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>& schedule)
     : model_(model), forces_(forces), schedule_(schedule), device_(device_for(model.scene)), layout_(model) {
   step_ = make_step(device_, layout_.mesh(model));
+  common_ = std::make_unique<CommonMirror<S>>(*step_, model.nodes);
   state_ = layout_.state(model);
 }
 
 template <class S>
 void DeviceRun<S>::bring_back() {
   if (!device_is_newer_) return;
+  common_->give(NodeNumbers::none);
   step_->read(state_);
   layout_.to_model(state_, model_);
+  common_->equal_motion();
   device_is_newer_ = false;
 }
 
@@ -78,13 +78,26 @@ void DeviceRun<S>::bring_back_resting() {
   if (knows_resting_) schedule_.set_resting(model_, step_->read_resting());
 }
 
-/// Sends what the host has changed. Returns whether tiles that rest were found anew.
+/// Sends what the host has changed.
 template <class S>
-bool DeviceRun<S>::take_changes() {
-  if (!host_is_newer_) return false;
+void DeviceRun<S>::send_state() {
+  if (!host_is_newer_) return;
   host_is_newer_ = false;
+  asks_what_rests_ = true;
   state_ = layout_.state(model_);
   step_->write(state_);
+  take_masses();
+  common_->equal_motion();
+  any_eroded_ =
+      std::ranges::any_of(model_.slot_of_element, [this](std::int64_t slot) { return !model_.elements.alive(slot); });
+}
+
+/// The same. Returns whether tiles that rest were found anew.
+template <class S>
+bool DeviceRun<S>::take_changes() {
+  send_state();
+  if (!asks_what_rests_) return false;
+  asks_what_rests_ = false;
   step_->set_resting({});
   knows_resting_ = false;
   if (schedule_.resting() != nullptr) {  // of a checkpoint
@@ -110,6 +123,7 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Due& /*due*/, const E
   RestingTotals<S> resting;
   ElementTotals<S> totals;
   const bool found = take_changes();
+  common_->give(NodeNumbers::force);
   device_is_newer_ = true;
   if (found) {
     Array<S> rates;
@@ -121,6 +135,7 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Due& /*due*/, const E
     totals = step_->update_elements(step);
   }
   if (more_forces) step_->sum_corner_forces();
+  eroded_.clear();
   InternalForceResult<S> result;
   result.internal = totals.internal;
   result.hourglass = totals.hourglass;
@@ -136,7 +151,7 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Due& /*due*/, const E
     result.time_step_slot = forces_.tiles()[tile].time_step_slot;
   }
   if (model_.scene.skip.resting) result.resting_elements = resting.elements;
-  result.eroded_count = totals.eroded_count;
+  result.eroded_count = eroded_count_ = totals.eroded_count;
   result.inverted_count = totals.inverted_count;
   result.inside_out_count = totals.inside_out_count;
   return result;
@@ -155,14 +170,123 @@ std::unique_ptr<BoundaryKernels<S>> DeviceRun<S>::boundary_kernels() const {
 }
 
 template <class S>
-NodeArrays<S> DeviceRun<S>::nodes(NodeNumbers /*changes*/) {
+NodeArrays<S> DeviceRun<S>::nodes(NodeNumbers changes) {
+  common_->give(changes);
   return step_->nodes();
 }
 
 template <class S>
 MotionEnergy DeviceRun<S>::integrate(const Due& /*due*/, const StepLengths& step) {
   device_is_newer_ = true;
+  common_->give(NodeNumbers::all);
   return step_->integrate(step);
+}
+
+/// All numbers of the new ones are shown, for those of the others are, too.
+template <class S>
+void DeviceRun<S>::take_in(std::span<const std::int32_t> nodes) {
+  common_->give(NodeNumbers::none);
+  if (common_->add(nodes)) common_->show_anew();
+}
+
+template <class S>
+void DeviceRun<S>::take_masses() {
+  step_->write_masses(model_.nodes.inverse_mass.data(), model_.node_mass.data());
+}
+
+template <class S>
+std::vector<std::int64_t> DeviceRun<S>::eroded_slots() {
+  if (eroded_count_ == 0 || !eroded_.empty()) return eroded_;
+  any_eroded_ = true;
+  Array<S>& mass = model_.elements.mass.template in<S>();
+  for (const std::int64_t place : step_->take_eroded()) {
+    eroded_.push_back(layout_.slot_of_place(place));
+    mass[eroded_.back()] = 0;
+  }
+  return eroded_;
+}
+
+template <class S>
+void DeviceRun<S>::show_strains(const Surface& surface) {
+  if (!any_eroded_) return;
+  std::vector<std::int64_t> slots, places;
+  for (std::int32_t tile = 0; tile < model_.tile_count(); ++tile) {
+    if (!model_.parts[model_.tile_part[tile]].features.erosion) continue;
+    for (const std::int64_t slot : model_.slots_of(tile)) {
+      if (surface.exposed(slot) == 0) continue;
+      slots.push_back(slot);
+      places.push_back(layout_.place_of_slot(slot));
+    }
+  }
+  bring_strains(slots, places);
+}
+
+template <class S>
+void DeviceRun<S>::bring_strains(std::span<const std::int64_t> slots, const std::vector<std::int64_t>& places) {
+  if (places.empty() || model_.elements.plastic_strain.empty()) return;
+  const std::vector<S> strains = step_->read_numbers(StateNumbers::plastic_strain, places);
+  Array<S>& of_model = model_.elements.plastic_strain.template in<S>();
+  for (std::size_t i = 0; i < slots.size(); ++i) of_model[slots[i]] = strains[i];
+}
+
+template <class S>
+NodeArrays<S> DeviceRun<S>::nodes_for_output() {
+  send_state();
+  return nodes(NodeNumbers::none);
+}
+
+template <class S>
+std::vector<BodySum> DeviceRun<S>::body_sums() {
+  send_state();
+  common_->give(NodeNumbers::none);
+  if (!knows_bodies_) {
+    step_->set_bodies(body_elements(model_, [this](std::int64_t slot) { return layout_.place_of_slot(slot); }));
+  }
+  knows_bodies_ = true;
+  return step_->body_sums();
+}
+
+template <class S>
+std::vector<ElementWork> DeviceRun<S>::work_of_bodies() {
+  std::vector<ElementWork> work(model_.scene.bodies.size());
+  const std::vector<ElementTotals<S>>& totals = step_->totals_of_parts();
+  for (std::size_t part = 0; part < totals.size(); ++part) {
+    const std::int32_t of = layout_.body_of_part(part);
+    if (of < 0) continue;
+    ElementWork& body = work[of];
+    body.internal += totals[part].internal;
+    body.eroded += totals[part].eroded;
+    body.hourglass += totals[part].hourglass;
+    body.viscous += totals[part].viscous;
+  }
+  return work;
+}
+
+template <class S>
+void DeviceRun<S>::show_watched(std::span<const std::int32_t> nodes, std::span<const std::int64_t> slots) {
+  if (!device_is_newer_) return;
+  common_->give(NodeNumbers::none);
+  std::vector<std::int64_t> numbers, places, components;
+  for (const std::int32_t node : nodes) {
+    for (std::int64_t k = 0; k < 3; ++k) numbers.push_back(4 * static_cast<std::int64_t>(node) + k);
+  }
+  for (const std::int64_t slot : slots) {
+    places.push_back(layout_.place_of_slot(slot));
+    for (int c = 0; c < 6; ++c) components.push_back(place_in_packs<device_row>(places.back(), c, 6));
+  }
+  const auto bring = [this](StateNumbers of, const std::vector<std::int64_t>& at, const auto& put) {
+    if (at.empty()) return;
+    const std::vector<S> found = step_->read_numbers(of, at);
+    for (std::size_t i = 0; i < at.size(); ++i) put(i, found[i]);
+  };
+  bring(StateNumbers::position, numbers, [&](std::size_t i, S x) { model_.nodes.position[numbers[i]] = x; });
+  bring(StateNumbers::velocity, numbers, [&](std::size_t i, S v) { model_.nodes.velocity[numbers[i]] = v; });
+  Array<S>& mass = model_.elements.mass.template in<S>();
+  bring(StateNumbers::mass, places, [&](std::size_t i, S value) { mass[slots[i]] = value; });
+  Array<S>& stress = model_.elements.stress.template in<S>();
+  bring(StateNumbers::stress, components,
+        [&](std::size_t i, S value) { stress[model_.elements.at(slots[i / 6], static_cast<int>(i % 6), 6)] = value; });
+  bring_strains(slots, places);
 }
 
 template <class S>

@@ -8,6 +8,7 @@
 
 #include <solver/base/error.hpp>
 
+#include "common_mirror.hpp"
 #include "device_layout.hpp"
 #include "device_step.hpp"
 #include "step_space.hpp"
@@ -39,13 +40,18 @@ class DeviceRun final : public StepSpace<S> {
   InternalForceResult<S> update_elements(const Due& due, const ElementStep<S>& step, bool more_forces) override;
   MotionEnergy integrate(const Due& due, const StepLengths& step) override;
 
-  void add_common(std::span<const std::int32_t> /*nodes*/) override {}
-  void take_in(std::span<const std::int32_t> /*nodes*/) override {}
-  void show(NodeNumbers /*numbers*/) override {}
-  void take(NodeNumbers /*changed*/) override {}
-  void take_masses() override {}
-  std::vector<std::int64_t> eroded_slots() override { return {}; }
-  void show_strains(const Surface& /*surface*/) override {}
+  void add_common(std::span<const std::int32_t> nodes) override { common_->add(nodes); }
+  void take_in(std::span<const std::int32_t> nodes) override;
+  void show(NodeNumbers numbers) override { common_->show(numbers); }
+  void take(NodeNumbers changed) override { common_->take(changed); }
+  void take_masses() override;
+  std::vector<std::int64_t> eroded_slots() override;
+  void show_strains(const Surface& surface) override;
+
+  NodeArrays<S> nodes_for_output() override;
+  std::vector<BodySum> body_sums() override;
+  std::vector<ElementWork> work_of_bodies() override;
+  void show_watched(std::span<const std::int32_t> nodes, std::span<const std::int64_t> slots) override;
 
   void bring_back() override;
   void bring_back_resting() override;
@@ -54,7 +60,9 @@ class DeviceRun final : public StepSpace<S> {
 
  private:
   bool take_changes();
+  void send_state();
   void tell_resting();
+  void bring_strains(std::span<const std::int64_t> slots, const std::vector<std::int64_t>& places);
 
   Model<S>& model_;
   InternalForces<S>& forces_;
@@ -62,10 +70,16 @@ class DeviceRun final : public StepSpace<S> {
   Device device_;
   DeviceLayout<S> layout_;
   std::unique_ptr<DeviceStep<S>> step_;
+  std::unique_ptr<CommonMirror<S>> common_;
   DeviceState<S> state_;  ///< what crosses over, in the device's layout
   bool host_is_newer_ = true, device_is_newer_ = false;
+  bool asks_what_rests_ = true;        ///< others may rest than the device knows of
   bool knows_resting_ = false;         ///< the device, which tiles rest
   std::vector<std::int32_t> resting_;  ///< those that it knows of
+  std::int64_t eroded_count_ = 0;      ///< in the last update
+  std::vector<std::int64_t> eroded_;   ///< their slots, when somebody has asked
+  bool any_eroded_ = false;            ///< in any step
+  bool knows_bodies_ = false;
 };
 
 }  // namespace pinball

@@ -8,11 +8,14 @@
 #include <kernels/boundary/node_arrays.hpp>
 #include <kernels/node_update.hpp>
 
+#include "body_sums.hpp"
 #include "device_mesh.hpp"
 #include "device_resting.hpp"
 #include "element_totals.hpp"
 
 namespace pinball {
+
+enum class StateNumbers { position, velocity, mass, stress, plastic_strain };
 
 /// The loops of a step whose arrays lie in the memory of an execution space. Between two calls nothing but what they
 /// return crosses over; the state does when it is asked for.
@@ -43,6 +46,28 @@ class DeviceStep {
   /// Velocities and positions of all nodes, and zero forces (node_update.hpp); sums the corner forces first where
   /// sum_corner_forces has not been called.
   virtual MotionEnergy integrate(const StepLengths& step) = 0;
+
+  // ---- Numbers that the host asks for or has changed ----
+
+  /// The nodes whose numbers cross over in a step, each once.
+  virtual void set_common(const std::vector<std::int32_t>& nodes) = 0;
+  /// Records of four (NodeView) in the order of these nodes: positions, and then velocities.
+  virtual void read_common_motion(Array<S>& numbers) = 0;
+  virtual void write_common_motion(const Array<S>& numbers) = 0;
+  virtual void read_common_force(Array<S>& numbers) = 0;
+  virtual void write_common_force(const Array<S>& numbers) = 0;
+  /// Of all nodes [1/mass], [mass].
+  virtual void write_masses(const S* inverse_mass, const double* mass) = 0;
+  /// Places of elements that have eroded since the last call or write(), ascending.
+  virtual std::vector<std::int64_t> take_eroded() = 0;
+  /// Numbers of the state that stand at some places of their array (DeviceState).
+  virtual std::vector<S> read_numbers(StateNumbers of, const std::vector<std::int64_t>& places) const = 0;
+  /// Before body_sums().
+  virtual void set_bodies(const BodyElements& elements) = 0;
+  /// Per body.
+  virtual std::vector<BodySum> body_sums() = 0;
+  /// Per part, of the last update.
+  virtual const std::vector<ElementTotals<S>>& totals_of_parts() const = 0;
 
   virtual std::size_t bytes() const = 0;  ///< on the device
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <kernels/corner_sums.hpp>
@@ -8,6 +9,7 @@
 
 #include "device_step.hpp"
 #include "space_elements.hpp"
+#include "space_records.hpp"
 #include "space_resting.hpp"
 
 /// DeviceStep on an execution space. Its functors hold pointers and numbers alone, and are handed over by value.
@@ -87,6 +89,7 @@ class SpaceStep final : public DeviceStep<S> {
       if (mine.size() != theirs.size()) mine.reset(theirs.size());
       deep_copy(mine, theirs);
     });
+    eroded_.begin(state_.mass);
   }
   void read(DeviceState<S>& state) const override {
     state.with(state_, [](auto& theirs, const auto& mine) { deep_copy(theirs, mine); });
@@ -130,10 +133,35 @@ class SpaceStep final : public DeviceStep<S> {
     return energy;
   }
 
+  void set_common(const std::vector<std::int32_t>& nodes) override { common_.set(nodes); }
+  void read_common_motion(Array<S>& numbers) override {
+    common_.read_motion(state_.position.data(), state_.velocity.data(), numbers);
+  }
+  void write_common_motion(const Array<S>& numbers) override {
+    common_.write_motion(numbers, state_.position.data(), state_.velocity.data());
+  }
+  void read_common_force(Array<S>& numbers) override { common_.read_force(force_.data(), numbers); }
+  void write_common_force(const Array<S>& numbers) override { common_.write_force(numbers, force_.data()); }
+  void write_masses(const S* inverse_mass, const double* mass) override {
+    deep_copy(inverse_mass_, inverse_mass, inverse_mass_.size());
+    deep_copy(node_mass_, mass, node_mass_.size());
+  }
+  std::vector<std::int64_t> take_eroded() override { return eroded_.take(state_.mass.data()); }
+  std::vector<S> read_numbers(StateNumbers of, const std::vector<std::int64_t>& places) const override {
+    return numbers_at<Space>(places, array_of(of).data());
+  }
+  void set_bodies(const BodyElements& elements) override { bodies_.emplace(elements); }
+  std::vector<BodySum> body_sums() override {
+    return bodies_->of({state_.velocity.data(), corner_.data(), state_.mass.data(),
+                        state_.plastic_strain.empty() ? nullptr : state_.plastic_strain.data()});
+  }
+  const std::vector<ElementTotals<S>>& totals_of_parts() const override { return totals_of_parts_; }
+
   std::size_t bytes() const override {
     return corner_.bytes() + mass_share_.bytes() + folding_onset_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() +
            first_of_node_.bytes() + corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() +
-           left_.bytes() + tile_.bytes() + resting_.bytes() + volumes_.bytes();
+           left_.bytes() + tile_.bytes() + resting_.bytes() + volumes_.bytes() + common_.bytes() + eroded_.bytes() +
+           (bodies_ ? bodies_->bytes() : 0);
   }
 
  private:
@@ -145,19 +173,21 @@ class SpaceStep final : public DeviceStep<S> {
 
   ElementTotals<S> update_parts(const ElementStep<S>& step, S* rates) {
     ElementTotals<S> totals;
+    totals_of_parts_.clear();
     if (volumes_.elements() > 0) average_volumes();
     for (const Part& part : parts_) {
-      totals.join(part.kernel({elements(),
-                               {state_.position.data(), state_.velocity.data(), nullptr},
-                               part.constants,
-                               step,
-                               corner_force_.data(),
-                               {tile_.data(), resting_.rests(), resting_.updated()},
-                               rates,
-                               left_.data(),
-                               false,
-                               part.first,
-                               part.last}));
+      totals_of_parts_.push_back(part.kernel({elements(),
+                                              {state_.position.data(), state_.velocity.data(), nullptr},
+                                              part.constants,
+                                              step,
+                                              corner_force_.data(),
+                                              {tile_.data(), resting_.rests(), resting_.updated()},
+                                              rates,
+                                              left_.data(),
+                                              false,
+                                              part.first,
+                                              part.last}));
+      totals.join(totals_of_parts_.back());
     }
     summed_ = false;
     return totals;
@@ -196,6 +226,22 @@ class SpaceStep final : public DeviceStep<S> {
             state_.volume_ratio.data()};
   }
 
+  const Array<S, Memory>& array_of(StateNumbers of) const {
+    switch (of) {
+      case StateNumbers::position:
+        return state_.position;
+      case StateNumbers::velocity:
+        return state_.velocity;
+      case StateNumbers::mass:
+        return state_.mass;
+      case StateNumbers::stress:
+        return state_.stress;
+      case StateNumbers::plastic_strain:
+        break;
+    }
+    return state_.plastic_strain;
+  }
+
   void add_part(const DevicePart<S>& part) {
     const bool general = is_general(part.features);
     parts_.push_back({choose_kernel(part.features), part.constants, part.first, part.last});
@@ -231,8 +277,12 @@ class SpaceStep final : public DeviceStep<S> {
   Array<S, Memory> corner_force_;     ///< of KeptAtCorners [force]
   Array<std::uint8_t, Memory> left_;  ///< per pack; zero between steps
   SpaceResting<S, Space> resting_;
+  SpaceRecords<S, Space> common_;
+  SpaceEroded<S, Space> eroded_;
+  std::optional<SpaceBodySums<S, S, device_row, Space>> bodies_;
   NodalVolumeLists<S, Memory> volumes_;
   std::vector<Part> parts_;
+  std::vector<ElementTotals<S>> totals_of_parts_;
   std::vector<Array<S, Memory>> tables_;
   bool summed_ = false;  ///< force_ has what the corners do
 };

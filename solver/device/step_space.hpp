@@ -13,6 +13,8 @@
 #include <solver/elements/internal_forces.hpp>
 #include <solver/elements/schedule.hpp>
 
+#include "body_sums.hpp"
+
 namespace pinball {
 
 /// Numbers of nodes, as flags.
@@ -65,6 +67,17 @@ class StepSpace {
   virtual std::vector<std::int64_t> eroded_slots() = 0;
   /// Brings up to date the plastic strains of the surface, from which contact guesses what erodes next.
   virtual void show_strains(const Surface& surface) = 0;
+
+  // ---- What output asks for, without the whole state ----
+
+  /// Nodes for sums; of several ranks, those of all are here then.
+  virtual NodeArrays<S> nodes_for_output() = 0;
+  /// Per body of the scene.
+  virtual std::vector<BodySum> body_sums() = 0;
+  /// What the elements of each body did in the last update, where output.body_energies asks for it.
+  virtual std::vector<ElementWork> work_of_bodies() = 0;
+  /// Brings the motion of some nodes, and masses, stresses and plastic strains of some slots, up to date in the model.
+  virtual void show_watched(std::span<const std::int32_t> nodes, std::span<const std::int64_t> slots) = 0;
 
   // ---- Between steps: the whole state ----
 

@@ -76,6 +76,24 @@ std::vector<std::string> Probes<S>::columns() const {
 }
 
 template <class S>
+std::vector<std::int32_t> Probes<S>::nodes(const Model<S>& model) const {
+  std::vector<std::int32_t> nodes;
+  for (const Watched& w : watched_) {
+    if (w.probe.kind == ProbeKind::node) nodes.push_back(model.node_of_scene_node[w.number]);
+  }
+  return nodes;
+}
+
+template <class S>
+std::vector<std::int64_t> Probes<S>::slots(const Model<S>& model) const {
+  std::vector<std::int64_t> slots;
+  for (const Watched& w : watched_) {
+    if (w.probe.kind == ProbeKind::element) slots.push_back(model.slot_of_element[w.number]);
+  }
+  return slots;
+}
+
+template <class S>
 void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_ahead,
                            std::vector<double>& values) const {
   double stress[6] = {}, plastic_strain = 0;
@@ -84,7 +102,8 @@ void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_
     const std::int64_t slot = model.slot_of_element[w.number];
     for (int c = 0; c < 6; ++c) stress[c] = model.elements.stress_of(slot, c);
     const auto& strains = model.elements.plastic_strain;
-    if (!strains.empty()) plastic_strain = strains[slot];
+    // What an eroded element keeps depends on those beside it in its pack.
+    if (!strains.empty() && model.elements.alive(slot)) plastic_strain = strains[slot];
   } else {
     node = model.node_of_scene_node[w.number];
   }

@@ -18,6 +18,9 @@ class Probes {
 
   /// Names of the columns, PROBE_QUANTITY, in the order of values().
   std::vector<std::string> columns() const;
+  /// What they read: nodes of the store and slots.
+  std::vector<std::int32_t> nodes(const Model<S>& model) const;
+  std::vector<std::int64_t> slots(const Model<S>& model) const;
   /// time_ahead: how far the positions are ahead of the stresses [time].
   std::vector<double> values(const Model<S>& model, double time_ahead) const;
   std::vector<ProbeResult> results(const Model<S>& model, double time_ahead) const;

@@ -130,7 +130,7 @@ double Simulation::balance_error_in_motion() const {
   return implementation_->read([](const auto& solver) { return solver.balance_error_in_motion(); });
 }
 std::vector<BodyResult> Simulation::bodies() const {
-  return implementation_->read([](const auto& solver) { return pinball::body_results(solver.model()); });
+  return implementation_->read([](const auto& solver) { return pinball::body_results(solver); });
 }
 ProgressState Simulation::progress() const {
   return implementation_->read([](const auto& solver) { return pinball::progress_state(solver); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,18 +39,37 @@ class HostStep final : public StepSpace<S> {
     if (domain_ != nullptr) domain_->share_strains(model_, surface);
   }
 
+  NodeArrays<S> nodes_for_output() override {
+    bring_back();
+    return nodes(NodeNumbers::none);
+  }
+  std::vector<BodySum> body_sums() override;
+  std::vector<ElementWork> work_of_bodies() override;
+  void show_watched(std::span<const std::int32_t> /*nodes*/, std::span<const std::int64_t> /*slots*/) override {
+    bring_back();
+  }
+
   void bring_back() override {
     if (domain_ != nullptr) domain_->bring_back(model_);
   }
   void bring_back_resting() override {}
   void host_has_changed() override {}
-  std::size_t bytes() const override { return 0; }
+  std::size_t bytes() const override {
+    return (bodies_ ? bodies_->bytes() : 0) + (single_bodies_ ? single_bodies_->bytes() : 0);
+  }
 
  private:
+  template <class E>
+  using Bodies = SpaceBodySums<S, E, native_width<E>, DefaultExecutionSpace>;
+  template <class E>
+  std::vector<BodySum> sums_of(std::optional<Bodies<E>>& bodies);
+
   Model<S>& model_;
   InternalForces<S>& forces_;
   Schedule<S>& schedule_;
   Subdomain<S>* domain_;
+  std::optional<Bodies<S>> bodies_;             ///< from the first body_sums() on
+  std::optional<Bodies<float>> single_bodies_;  ///< in its place, where elements have fewer digits
 };
 
 }  // namespace pinball

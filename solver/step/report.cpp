@@ -15,23 +15,6 @@
 namespace pinball {
 
 template <class S>
-Point momentum(const Model<S>& model) {
-  Point sum{};
-  for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      sum[k] += model.node_mass[n] * model.nodes.velocity[4 * n + k];
-    }
-  }
-  return sum;
-}
-
-template <class S>
-Point momentum(const Solver<S>& solver) {
-  const Point of_nodes = momentum(solver.model()), beside = solver.rigid().momentum_beside();
-  return {of_nodes[0] + beside[0], of_nodes[1] + beside[1], of_nodes[2] + beside[2]};
-}
-
-template <class S>
 std::string element_name(const Model<S>& model, std::int64_t slot) {
   const std::int32_t element = slot < 0 ? -1 : model.element_of_slot[slot];
   if (element < 0) return "no element";
@@ -39,31 +22,25 @@ std::string element_name(const Model<S>& model, std::int64_t slot) {
 }
 
 template <class S>
-std::vector<BodyResult> body_results(const Model<S>& model) {
+std::vector<BodyResult> body_results(const Solver<S>& solver) {
+  const Model<S>& model = solver.layout();
   std::vector<BodyResult> results(model.mesh.body_names.size());
   for (std::size_t b = 0; b < results.size(); ++b) results[b].name = model.mesh.body_names[b];
-  for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {  // in the order of memory
-    if (model.is_padding(slot)) continue;
-    const std::int32_t e = model.element_of_slot[slot];
+  for (std::size_t e = 0; e < model.element_mass.size(); ++e) {
     BodyResult& r = results[model.mesh.body[e]];
     ++r.elements;
     r.mass_initial += model.element_mass[e];
     if (!model.added_mass.empty()) r.mass_added += model.added_mass[e];
-    if (!model.elements.alive(slot)) {
-      ++r.eroded_elements;
-      continue;
-    }
-    r.mass_remaining += model.element_mass[e];
-    for (const std::int32_t node : model.elements.corners(slot)) {
-      const S* const v = model.nodes.velocity_of(node);
-      for (int k = 0; k < 3; ++k) r.velocity[k] += model.element_mass[e] / 8 * v[k];
-    }
-    if (!model.elements.plastic_strain.empty()) {
-      r.max_plastic_strain = std::max(r.max_plastic_strain, static_cast<double>(model.elements.plastic_strain[slot]));
-    }
   }
-  for (BodyResult& r : results) {
-    for (double& v : r.velocity) v = r.mass_remaining > 0 ? v / r.mass_remaining : 0.0;
+  const std::vector<BodySum> sums = solver.body_sums();
+  for (std::size_t b = 0; b < results.size(); ++b) {
+    BodyResult& r = results[b];
+    r.eroded_elements = sums[b].eroded;
+    r.mass_remaining = sums[b].mass;
+    r.max_plastic_strain = sums[b].plastic_strain;
+    for (std::size_t k = 0; k < 3; ++k) {
+      r.velocity[k] = r.mass_remaining > 0 ? sums[b].momentum[k] / r.mass_remaining : 0.0;
+    }
   }
   return results;
 }
@@ -103,7 +80,8 @@ void take_material_numbers(const Model<S>& model, FieldSnapshot& s) {
       for (const std::int64_t slot : model.slots_of(t)) {
         const std::int32_t element = model.element_of_slot[slot];
         if (element < 0) continue;
-        field[element] = rest + (place < 0 ? 0.0 : model.elements.material_number(slot, place));
+        field[element] =
+            rest + (place < 0 || !model.elements.alive(slot) ? 0.0 : model.elements.material_number(slot, place));
       }
     }
   };
@@ -153,7 +131,8 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
   for (std::size_t e = 0; e < elements; ++e) {
     const std::int64_t slot = model.slot_of_element[e];
     for (int c = 0; c < 6; ++c) s.stress[e][c] = model.elements.stress_of(slot, c);
-    if (!model.elements.plastic_strain.empty()) {
+    // What an eroded element keeps depends on those beside it in its pack.
+    if (!model.elements.plastic_strain.empty() && model.elements.alive(slot)) {
       s.plastic_strain[e] = model.elements.plastic_strain[slot];
     }
     s.alive[e] = model.elements.alive(slot) ? 1 : 0;
@@ -235,8 +214,8 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.final_total = solver.energies().total();
   summary.balance_error_max = solver.ledger().balance_error_max();
   summary.momentum_initial = solver.initial_momentum();
-  summary.momentum_final = momentum(solver);
-  summary.bodies = body_results(model);
+  summary.momentum_final = solver.momentum();
+  summary.bodies = body_results(solver);
   for (const double added : model.added_mass) summary.mass_added += added;
   summary.rigid_bodies = solver.rigid().results();
   summary.walls = solver.boundary().walls();
@@ -305,16 +284,12 @@ std::string step_limit(const Model<S>& model, const StepClock& clock) {
   return "";
 }
 
-template Point momentum(const Model<double>&);
-template Point momentum(const Model<float>&);
-template Point momentum(const Solver<double>&);
-template Point momentum(const Solver<float>&);
 template std::string element_name(const Model<double>&, std::int64_t);
 template std::string element_name(const Model<float>&, std::int64_t);
 template std::string step_limit(const Model<double>&, const StepClock&);
 template std::string step_limit(const Model<float>&, const StepClock&);
-template std::vector<BodyResult> body_results(const Model<double>&);
-template std::vector<BodyResult> body_results(const Model<float>&);
+template std::vector<BodyResult> body_results(const Solver<double>&);
+template std::vector<BodyResult> body_results(const Solver<float>&);
 template std::uint64_t state_hash(const Model<double>&);
 template std::uint64_t state_hash(const Model<float>&);
 template std::uint64_t fingerprint(const Model<double>&);

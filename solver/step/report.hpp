@@ -11,12 +11,6 @@
 /// What a run tells of itself: functions of a model or of a solver that change nothing.
 namespace pinball {
 
-/// Sum over all nodes [mass length/time].
-template <class S>
-Point momentum(const Model<S>& model);
-/// The same with what bodies of a given centre have above it.
-template <class S>
-Point momentum(const Solver<S>& solver);
 /// The name of the element of a slot (place_names.hpp); "no element" for padding and a negative slot.
 template <class S>
 std::string element_name(const Model<S>& model, std::int64_t slot);
@@ -25,7 +19,7 @@ std::string element_name(const Model<S>& model, std::int64_t slot);
 template <class S>
 std::string step_limit(const Model<S>& model, const StepClock& clock);
 template <class S>
-std::vector<BodyResult> body_results(const Model<S>& model);
+std::vector<BodyResult> body_results(const Solver<S>& solver);
 /// Hash of positions, velocities and stresses, in the order of the scene: it does not depend on the layout of the
 /// stores.
 template <class S>

@@ -60,7 +60,7 @@ std::vector<std::string> more_columns(const Solver<S>& solver) {
 /// What contact does to each body as a whole [force].
 template <class S>
 std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
-  const Model<S>& model = solver.model();
+  const Model<S>& model = solver.layout();
   std::vector<Point> in_store(model.mesh.nodes.size(), Point{});
   solver.contact()->add_node_forces(in_store);
   std::vector<Point> sums(model.scene.bodies.size(), Point{});
@@ -74,16 +74,16 @@ std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
 
 template <class S>
 HistoryRow history_row(const Solver<S>& solver) {
-  const Model<S>& model = solver.model();
+  const Model<S>& model = solver.layout();
   HistoryRow row;
   row.step = solver.steps();
   row.time = solver.force_time();
   row.dt = solver.dt() > 0 ? solver.dt() : solver.clock().dt_before();
   row.energy = reported_energies(solver);
   row.balance_error = solver.balance_error();
-  row.momentum = momentum(solver);
+  row.momentum = solver.momentum();
   row.inside_out = solver.inside_out().now();
-  row.bodies = body_results(model);
+  row.bodies = body_results(solver);
   for (const WallResult& wall : solver.boundary().walls()) {
     row.more.push_back(wall.force);
     row.more.push_back(wall.impulse);
@@ -101,7 +101,7 @@ HistoryRow history_row(const Solver<S>& solver) {
     row.more.insert(row.more.end(), pair.force.begin(), pair.force.end());
     row.more.insert(row.more.end(), pair.impulse.begin(), pair.impulse.end());
   }
-  const std::vector<double> of_probes = solver.probes().values(model, solver.dt());
+  const std::vector<double> of_probes = solver.probe_values();
   row.more.insert(row.more.end(), of_probes.begin(), of_probes.end());
   if (solver.contact() != nullptr) {
     for (const Point& force : contact_forces_on_bodies(solver)) {
@@ -111,7 +111,7 @@ HistoryRow history_row(const Solver<S>& solver) {
   for (const ForceResult& named : solver.boundary().forces(model, solver.force_time())) {
     row.more.insert(row.more.end(), named.force.begin(), named.force.end());
   }
-  for (const BodyShare& body : solver.body_energies().results(model)) {
+  for (const BodyShare& body : solver.body_shares()) {
     const Point& p = body.momentum;
     row.more.insert(row.more.end(), {std::max(0.0, body.kinetic), p[0], p[1], p[2], body.mass, body.internal,
                                      body.hourglass, body.bulk_viscosity});

@@ -55,7 +55,8 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
       symmetry_walls_(model_, *space_->boundary_kernels()),
       boundary_(model_, space_->boundary_kernels()),
       probes_(model_),
-      body_energies_(model_, domain_.get()),
+      body_energies_(model_, *space_->boundary_kernels()),
+      motion_(space_->boundary_kernels()->motion(model_.nodes.count)),
       tied_(model_),
       rigid_(model_),
       contact_(model_, *space_),
@@ -74,7 +75,7 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
   near_nodes_ = find_near_nodes(model_.scene, model_.mesh);
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
   guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
-  initial_momentum_ = momentum(*this);
+  initial_momentum_ = momentum();
   if (rigid_.any()) contact_.set_rigid_sides(rigid_.sides());
   choose_common_nodes();
   if (domain_) domain_->connect(model_, fingerprint(model_));
@@ -253,7 +254,9 @@ void Solver<S>::wall_reactions() {
 template <class S>
 MotionEnergy Solver<S>::integrate(const Due& due) {
   return timers_.measure(Phase::integration, [&] {
-    if (due.all() && body_energies_.any()) body_energies_.take_kinetic(model_, clock_.lengths());
+    if (due.all() && body_energies_.any()) {
+      body_energies_.take_kinetic(space_->nodes(NodeNumbers::none), clock_.lengths());
+    }
     MotionEnergy motion = space_->integrate(due, clock_.lengths());
     if (rigid_.any()) motion.kinetic += rigid_.kinetic_beside(clock_.lengths());
     return motion;
@@ -284,7 +287,7 @@ template <class S>
 void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact,
                               const MotionEnergy& motion) {
   ledger_.book(element, contact, boundary_.work() + rigid_.work(), clock_.dt_before());
-  body_energies_.book(model_, internal_forces_.tiles());
+  if (body_energies_.any()) body_energies_.book(space_->work_of_bodies());
   counts_.count(due, element, contact, contact_.surface_elements(), model_.element_count(), clock_.force_time());
   const double energy = motion.kinetic + energies().total();
   if (element.inverted_count > 0 || !std::isfinite(energy)) model();  // where is looked for on the host, in all of it
@@ -346,8 +349,27 @@ void Solver<S>::take_changed_velocities() {
   if (clock_.steps() > 0) {
     boundary_.add_work(added);
   } else {
-    initial_momentum_ = momentum(*this);
+    initial_momentum_ = momentum();
   }
+}
+
+template <class S>
+Point Solver<S>::momentum() const {
+  const VectorSum of_nodes = motion_->momentum(space_->nodes_for_output());
+  const Point beside = rigid_.momentum_beside();
+  return {of_nodes.x + beside[0], of_nodes.y + beside[1], of_nodes.z + beside[2]};
+}
+
+template <class S>
+std::vector<BodyShare> Solver<S>::body_shares() const {
+  if (!body_energies_.any()) return {};
+  return body_energies_.results(space_->nodes_for_output());
+}
+
+template <class S>
+std::vector<double> Solver<S>::probe_values() const {
+  space_->show_watched(probes_.nodes(model_), probes_.slots(model_));
+  return probes_.values(model_, dt());
 }
 
 template <class S>

@@ -77,6 +77,8 @@ class Solver {
     space_->bring_back();
     return model_;
   }
+  /// The same without its state: what no step changes. Nothing is copied for it.
+  const Model<S>& layout() const { return model_; }
   /// To change it between steps: the next step works all elements, also those at rest.
   Model<S>& change_model();
   /// To change velocities before the next step. What that adds to the kinetic energy is work from outside; before the
@@ -109,6 +111,16 @@ class Solver {
   const Subcycling<S>* subcycling() const { return schedule_.subcycling(); }
   const Probes<S>& probes() const { return probes_; }
   const BodyEnergies<S>& body_energies() const { return body_energies_; }
+
+  // For output: sums where the state lies, and copies of what is watched alone.
+
+  /// Sum over all nodes, with what bodies of a given centre have above it [mass length/time].
+  Point momentum() const;
+  std::vector<BodySum> body_sums() const { return space_->body_sums(); }
+  std::vector<BodyShare> body_shares() const;
+  /// In the order of Probes::columns().
+  std::vector<double> probe_values() const;
+
   const std::vector<InitialOverlap>& initial_overlaps() const { return initial_overlaps_; }
   /// After finish(), where nothing has eroded: erosion exposes what lies deep inside others.
   const InitialOverlap& overlap_at_end() const { return overlap_at_end_; }
@@ -168,6 +180,7 @@ class Solver {
   BoundaryConditions<S> boundary_;
   Probes<S> probes_;
   BodyEnergies<S> body_energies_;
+  std::unique_ptr<NodeMotionKernels<S>> motion_;  ///< of all nodes
   TiedStage<S> tied_;
   RigidBodies<S> rigid_;
   ContactStage<S> contact_;

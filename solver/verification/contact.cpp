@@ -123,10 +123,10 @@ namespace {
 
 /// What has to hold whatever the contact; name: put before each quantity.
 std::vector<VerificationRow> compare_invariants(Solver<double>& solver, const std::string& name) {
-  const Point before = momentum(solver.model());
+  const Point before = solver.momentum();
   double worst = 0;
   run_to_end(solver, [&] { worst = std::max(worst, std::abs(solver.balance_error())); });
-  const Point after = momentum(solver.model());
+  const Point after = solver.momentum();
 
   // The plane of symmetry is y = 0, the bodies lie at y >= 0.
   const ModelMesh& mesh = solver.mesh();

@@ -19,10 +19,10 @@ struct Outcome {
 
 Outcome run_rod(const Scene& scene) {
   Solver<double> solver(scene);
-  const Point before = momentum(solver.model());
+  const Point before = solver.momentum();
   Outcome result;
   run_to_end(solver, [&] { result.balance_error = std::max(result.balance_error, std::abs(solver.balance_error())); });
-  const Point after = momentum(solver.model());
+  const Point after = solver.momentum();
   const double scale = std::hypot(before[0], before[2]);
   result.momentum_drift = std::max(std::abs(after[0] - before[0]), std::abs(after[2] - before[2])) / scale;
   const BodyResult rod = history_row(solver).bodies[0];

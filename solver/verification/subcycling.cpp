@@ -23,7 +23,7 @@ LayerRun run_layer(const Scene& scene, bool subcycling) {
   Scene s = scene;
   s.time.subcycling = subcycling;
   Solver<double> solver(s);
-  const Point before = momentum(solver.model());
+  const Point before = solver.momentum();
   run_to_end(solver);
 
   const Material& m = s.materials[0];
@@ -51,7 +51,7 @@ LayerRun run_layer(const Scene& scene, bool subcycling) {
   RunSummary summary;
   fill_summary(solver, summary);
   run.energy_error = summary.balance_error_max;
-  run.momentum_drift = std::abs(momentum(solver.model())[2] - before[2]) / (0.5 * mass * impact);
+  run.momentum_drift = std::abs(solver.momentum()[2] - before[2]) / (0.5 * mass * impact);
   run.element_steps = summary.element_steps;
   return run;
 }

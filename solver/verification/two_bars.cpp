@@ -72,13 +72,13 @@ BarImpact run_bars(const Scene& scene) {
   const std::size_t nodes[4] = {node_at(mesh, -5, 0), node_at(mesh, 0, 0), node_at(mesh, face2, 1),
                                 node_at(mesh, face2 + 5, 1)};
   const double v0 = scene.bodies[0].velocity[0], transit = 1.0;  // 10 long, wave speed 10
-  const double initial_momentum = momentum(solver.model())[0];
+  const double initial_momentum = solver.momentum()[0];
   BarImpact result;
   double sum[4] = {}, time = 0;
   run_to_end(solver, [&] {
     result.balance_error = std::max(result.balance_error, std::abs(solver.balance_error()));
-    result.momentum_drift = std::max(
-        result.momentum_drift, std::abs(momentum(solver.model())[0] - initial_momentum) / std::abs(initial_momentum));
+    result.momentum_drift =
+        std::max(result.momentum_drift, std::abs(solver.momentum()[0] - initial_momentum) / std::abs(initial_momentum));
     const double tau = (solver.time() - 0.5 * solver.dt() - contact_time) / transit;  // of the velocities
     if (tau < 0 || tau > duration) return;
     time += solver.dt();

@@ -71,7 +71,7 @@ TEST(Load, OnEachNodeIsTheWholeForce) {
   scene.loads = {load};
   Solver<double> solver(scene);
   run(solver);
-  EXPECT_NEAR(momentum(solver.model())[2], 9 * 1e3 * 1e-4, 1e-12);
+  EXPECT_NEAR(solver.momentum()[2], 9 * 1e3 * 1e-4, 1e-12);
 }
 
 TEST(Gravity, MovesBodiesAsTheyFallAndItsWorkIsTheirEnergy) {

@@ -70,12 +70,12 @@ TEST(NamedForces, WhatAFloorAndGravityDoIsTheChangeOfMomentum) {
   Solver<double> solver(scene);
   solver.step();
   expect_force(forces_of(solver)[0], "floor", {0, 0, weight / 8}, 1e-12 * weight);
-  Point before = momentum(solver.model());
+  Point before = solver.momentum();
   double largest = 0;
   while (!solver.at_end()) {
     solver.step();
     const double dt = 0.5 * (solver.clock().dt_before() + solver.dt());
-    const Point after = momentum(solver.model());
+    const Point after = solver.momentum();
     const std::vector<ForceResult> forces = forces_of(solver);
     EXPECT_NEAR(after[2] - before[2], dt * (forces[0].force[2] + forces[1].force[2]), 1e-12 * weight * dt);
     largest = std::max(largest, forces[0].force[2]);

@@ -33,7 +33,7 @@ const WallResult& wall_of(const Solver<double>& solver) { return solver.boundary
 /// got; a wall that stands has no velocity.
 TEST(StandingWall, HasTheForceOfEachStep) {
   Solver<double> solver(falling_block());
-  const double before = momentum(solver.model())[2];
+  const double before = solver.momentum()[2];
   double sum = 0, largest = 0, dt_before = 0;
   while (!solver.at_end()) {
     EXPECT_EQ(wall_of(solver).velocity, 0);
@@ -42,7 +42,7 @@ TEST(StandingWall, HasTheForceOfEachStep) {
     largest = std::max(largest, wall_of(solver).force);
     dt_before = solver.dt();
     EXPECT_NEAR(wall_of(solver).impulse, sum, 1e-12 * std::abs(before));
-    EXPECT_NEAR(momentum(solver.model())[2] - before, sum, 1e-11 * std::abs(before));
+    EXPECT_NEAR(solver.momentum()[2] - before, sum, 1e-11 * std::abs(before));
   }
   EXPECT_GT(sum, std::abs(before)) << "it is thrown back";
   EXPECT_EQ(wall_of(solver).force_max, largest);
@@ -66,12 +66,12 @@ TEST(MovingWall, MeetsNodesAsInAPlasticImpact) {
   EXPECT_NEAR(wall_of(solver).velocity, velocity_of(solver, 0)[2], 1e-9);
   while (!solver.at_end()) {
     solver.step();
-    const double momentum_of_all = momentum(solver.model())[2] + 50 * wall_of(solver).velocity;
+    const double momentum_of_all = solver.momentum()[2] + 50 * wall_of(solver).velocity;
     EXPECT_NEAR(momentum_of_all, -10 * whole, 1e-11 * 10 * whole);
     EXPECT_LT(std::abs(solver.balance_error()), 5e-2);
   }
   solver.finish();
-  EXPECT_NEAR(momentum(solver.model())[2] + 50 * wall_of(solver).velocity, -10 * whole, 1e-11 * 10 * whole);
+  EXPECT_NEAR(solver.momentum()[2] + 50 * wall_of(solver).velocity, -10 * whole, 1e-11 * 10 * whole);
   EXPECT_LT(wall_of(solver).velocity, -10 * row / (50 + row)) << "pushed on";
   EXPECT_GT(wall_of(solver).displacement / scene.time.end, -20);
 }
@@ -108,7 +108,7 @@ TEST(MovingWall, PassesAStandingOneOnlyIfNothingHoldsIt) {
   scene.rigid_walls[0].mass = 1e-6;  // as if there were none
   Solver<double> solver(scene);
   run(solver);
-  EXPECT_NEAR(momentum(solver.model())[2], -10 * total_mass(solver), 1e-4 * total_mass(solver));
+  EXPECT_NEAR(solver.momentum()[2], -10 * total_mass(solver), 1e-4 * total_mass(solver));
 }
 
 TEST(FiniteWall, StopsWhatIsAboveItsRectangle) {

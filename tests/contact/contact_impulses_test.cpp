@@ -45,7 +45,7 @@ TEST_P(ContactByImpulses, HeadOnImpactKeepsMomentumAndClosesItsBalance) {
   double worst = 0;
   run_to_end(solver, [&] {
     worst = std::max(worst, std::abs(solver.balance_error()));
-    for (const double p : momentum(solver.model())) ASSERT_NEAR(p, 0, 1e-12 * 7850 * 0.027 * 10);
+    for (const double p : solver.momentum()) ASSERT_NEAR(p, 0, 1e-12 * 7850 * 0.027 * 10);
   });
   // What the impulses take out is counted exactly; what remains is that of the elements.
   EXPECT_LT(worst, 2e-3);

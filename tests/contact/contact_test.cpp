@@ -31,7 +31,7 @@ TEST(Contact, HeadOnImpactConservesMomentumAndEnergy) {
     solver.step();
     worst = std::max(worst, std::abs(solver.balance_error()));
     touched = touched || solver.energies().contact_stored > 0;
-    for (const double p : momentum(solver.model())) ASSERT_NEAR(p, 0, 1e-12 * momentum_of_one);
+    for (const double p : solver.momentum()) ASSERT_NEAR(p, 0, 1e-12 * momentum_of_one);
   }
   solver.finish();
   EXPECT_TRUE(touched);
@@ -49,7 +49,7 @@ TEST(Contact, OffsetObliqueImpactConservesMomentum) {
                          5e-4);
   scene.bodies[0].angular_velocity = {20, 30, 10};
   Solver<double> solver(scene);
-  const Point before = momentum(solver.model());
+  const Point before = solver.momentum();
   bool touched = false;
   while (solver.time() < scene.time.end) {
     solver.step();
@@ -57,7 +57,7 @@ TEST(Contact, OffsetObliqueImpactConservesMomentum) {
   }
   EXPECT_TRUE(touched);
   const double scale = 7850 * 0.027 * 40;
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(momentum(solver.model())[k], before[k], 1e-12 * scale);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(solver.momentum()[k], before[k], 1e-12 * scale);
 }
 
 TEST(Contact, ObliqueImpactsKeepEnergyAndAngularMomentum) {
@@ -137,7 +137,7 @@ TEST(Contact, ABodyStopsAtTheSurfaceThatErosionHasExposed) {
   Solver<double> solver(scene);
   solver.step();
   erode_upper_layer(solver);
-  const Point before = momentum(solver.model());
+  const Point before = solver.momentum();
   double closest = 1;
   while (solver.time() < scene.time.end) {
     solver.step();
@@ -149,7 +149,7 @@ TEST(Contact, ABodyStopsAtTheSurfaceThatErosionHasExposed) {
   EXPECT_LT(closest, touching_gap * h) << "it has not reached the new surface";
   EXPECT_GT(closest, -0.2 * h) << "it has passed the new surface";
   EXPECT_GT(velocity_of_body(solver, 1)[2], velocity_of_body(solver, 0)[2]) << "they separate";
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(momentum(solver.model())[k], before[k], 1e-10 * 7850 * 0.008 * 50);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(solver.momentum()[k], before[k], 1e-10 * 7850 * 0.008 * 50);
 }
 
 TEST(Contact, FragmentsOfOneBodyTouchUnlessSelfContactIsOff) {
@@ -162,14 +162,14 @@ TEST(Contact, FragmentsOfOneBodyTouchUnlessSelfContactIsOff) {
     Solver<double> solver(scene);
     solver.step();
     strain_to_failure(solver, {8, 9, 10, 11, 12, 13, 14, 15});  // the two layers in the middle
-    const Point before = momentum(solver.model());
+    const Point before = solver.momentum();
     double smallest = 1;
     while (solver.time() < scene.time.end) {
       solver.step();
       smallest = std::min(smallest, height(solver, 16) - height(solver, 4) - h);
     }
     EXPECT_EQ(solver.counts().eroded_elements(), 8);
-    EXPECT_NEAR(momentum(solver.model())[2], before[2], 1e-9);
+    EXPECT_NEAR(solver.momentum()[2], before[2], 1e-9);
     apart = height(solver, 16) > height(solver, 4);
     return smallest;
   };

@@ -38,7 +38,7 @@ TEST_P(Slideline, HeadOnImpactKeepsMomentumAndClosesItsBalance) {
   double worst = 0;
   run_to_end(solver, [&] {
     worst = std::max(worst, std::abs(solver.balance_error()));
-    for (const double p : momentum(solver.model())) ASSERT_NEAR(p, 0, 1e-12 * 7850 * 0.027 * 10);
+    for (const double p : solver.momentum()) ASSERT_NEAR(p, 0, 1e-12 * 7850 * 0.027 * 10);
   });
   if (penalty()) {
     // The first and the last force of a spring work over whole steps, of which it touches for a part.
@@ -107,7 +107,7 @@ TEST_P(Slideline, ABodyStopsAtTheSurfaceThatErosionHasExposed) {
   solver.step();
   EXPECT_EQ(solver.contact()->surface_elements(), 64 - 8 + 8);
   erode_upper_layer(solver);
-  const Point before = momentum(solver.model());
+  const Point before = solver.momentum();
   solver.step();
   EXPECT_EQ(solver.counts().eroded_elements(), 16);
   EXPECT_EQ(solver.contact()->surface_elements(), 48 - 4 + 8);
@@ -118,7 +118,7 @@ TEST_P(Slideline, ABodyStopsAtTheSurfaceThatErosionHasExposed) {
   EXPECT_GT(lowest, 2.8 * h) << "stopped by the layer below";
   EXPECT_LT(lowest, 3.2 * h) << "not by the nodes of what has eroded";
   EXPECT_GT(velocity_of_body(solver, 1)[2], velocity_of_body(solver, 0)[2]);
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(momentum(solver.model())[k], before[k], 1e-9 * std::abs(before[2]));
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(solver.momentum()[k], before[k], 1e-9 * std::abs(before[2]));
 }
 
 TEST_P(Slideline, ListsLastOverErosionsAndMissNothing) {

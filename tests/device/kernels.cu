@@ -219,7 +219,7 @@ void instantiate_forces(const Forces& forces) {
   const NodeArrays<S> nodes{};
   call_on_all<<<1, 32>>>(AddForces<S, Forces>{nodes, forces});
   add_up<<<1, 32>>>(WorkOfForces<S, Forces>{nodes, forces, {}}, static_cast<ExternalWork*>(nullptr));
-  add_up<<<1, 32>>>(TotalOfForces<S, Forces>{nodes, forces}, static_cast<ForceSum*>(nullptr));
+  add_up<<<1, 32>>>(TotalOfForces<S, Forces>{nodes, forces}, static_cast<VectorSum*>(nullptr));
 }
 
 template <class S>
@@ -238,8 +238,8 @@ void instantiate_boundary() {
   call_on_all<<<1, 32>>>(ReflectNodes<S>{});
   add_up_numbers<<<1, 32>>>(EnergyAlong<S>{}, nullptr);
   add_up<<<1, 32>>>(StopAtWall<S>{}, static_cast<WallStop*>(nullptr));
-  add_up<<<1, 32>>>(ForceOfTable<double, NodeConstraint<S>>{}, static_cast<ForceSum*>(nullptr));
-  add_up<<<1, 32>>>(ForceOfTable<S, NodePrescription<S>>{}, static_cast<ForceSum*>(nullptr));
+  add_up<<<1, 32>>>(ForceOfTable<double, NodeConstraint<S>>{}, static_cast<VectorSum*>(nullptr));
+  add_up<<<1, 32>>>(ForceOfTable<S, NodePrescription<S>>{}, static_cast<VectorSum*>(nullptr));
   add_up<<<1, 32>>>(PushWall<S>{}, static_cast<WallPush*>(nullptr));
   add_up<<<1, 32>>>(WorkOfWall<S>{}, static_cast<ExternalWork*>(nullptr));
 }

@@ -122,7 +122,7 @@ TEST(AveragedWedges, KeepTheBalanceOfEnergyAndMomentum) {
     Solver<double> solver(striking(mesh, material));
     EXPECT_LT(worst_balance_of_run(solver), 2e-3) << material.name;
     // The wall pushes along z alone.
-    const Point p = momentum(solver);
+    const Point p = solver.momentum();
     EXPECT_NEAR(p[0], 0, 1e-9 * std::abs(p[2]));
     EXPECT_NEAR(p[1], 0, 1e-9 * std::abs(p[2]));
   }

@@ -91,7 +91,7 @@ TEST(Tetrahedra, KeepTheBalanceOfEnergyAndMomentum) {
     EXPECT_LT(worst_balance_of_run(solver), 2e-3) << material.name;
     EXPECT_EQ(solver.counts().eroded_elements(), 0);
     // The wall pushes along z alone.
-    const Point p = momentum(solver);
+    const Point p = solver.momentum();
     EXPECT_NEAR(p[0], 0, 1e-6 * std::abs(p[2]));
     EXPECT_NEAR(p[1], 0, 1e-6 * std::abs(p[2]));
   }

@@ -77,7 +77,7 @@ TEST(RigidContact, ActsBetweenBodiesThatAreAttachedToOne) {
   EXPECT_GT(summary.pairs_max, 0);
   EXPECT_EQ(summary.iterations.unsolved, 0);
   EXPECT_LT(summary.max_penetration_ratio, 1e-2);
-  EXPECT_NEAR(momentum(solver)[0], 0, 1e-9);
+  EXPECT_NEAR(solver.momentum()[0], 0, 1e-9);
 }
 
 TEST(RigidContact, WithSpringsIsElastic) {

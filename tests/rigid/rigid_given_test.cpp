@@ -57,7 +57,7 @@ TEST(RigidBodies, WithAGivenCentreMoveAsThoseWhoseMassIsThere) {
   masses.rigid_bodies[0].velocity = given.rigid_bodies[0].velocity;
   masses.rigid_bodies[0].angular_velocity = given.rigid_bodies[0].angular_velocity;
   Solver<double> one(masses), other(given);
-  expect_near(momentum(one), momentum(other), 1e-9, "momentum at the start");
+  expect_near(one.momentum(), other.momentum(), 1e-9, "momentum at the start");
   run(one);
   run(other);
   const RigidBodyResult a = one.rigid().results()[0], b = other.rigid().results()[0];
@@ -66,7 +66,7 @@ TEST(RigidBodies, WithAGivenCentreMoveAsThoseWhoseMassIsThere) {
   expect_near(a.centre, b.centre, 1e-9, "centre");
   expect_near(a.velocity, b.velocity, 1e-9, "velocity");
   expect_near(a.angular_velocity, b.angular_velocity, 1e-8, "angular velocity");
-  expect_near(momentum(one), momentum(other), 1e-6, "momentum");
+  expect_near(one.momentum(), other.momentum(), 1e-6, "momentum");
   EXPECT_NEAR(one.energies().kinetic / other.energies().kinetic, 1, 1e-9);
   EXPECT_NEAR(one.energies().external / other.energies().external, 1, 1e-9);
   EXPECT_LT(one.ledger().balance_error_in_motion_max(), 1e-11);
@@ -107,7 +107,7 @@ TEST(RigidBodies, WithAGivenCentreAreStruckAsThoseWhoseMassIsThere) {
   Scene given = as_given(masses);
   given.rigid_bodies[0].angular_velocity = Point{};
   Solver<double> one(masses), other(given);
-  const Point before = momentum(one);
+  const Point before = one.momentum();
   run(one);
   run(other);
   for (std::size_t b = 0; b < 2; ++b) {
@@ -118,7 +118,7 @@ TEST(RigidBodies, WithAGivenCentreAreStruckAsThoseWhoseMassIsThere) {
   }
   const double mass = one.rigid().results()[0].mass + one.rigid().results()[1].mass;
   for (const Solver<double>* solver : {&one, &other}) {
-    const Point after = momentum(*solver);
+    const Point after = solver->momentum();
     EXPECT_NEAR(after[2] - before[2], -9 * 0.05 * mass, 1e-9 * mass);
     EXPECT_LT(solver->ledger().balance_error_in_motion_max(), 1e-10);
   }
@@ -133,7 +133,7 @@ TEST(RigidBodies, WithAGivenCentreGoOnAfterARestart) {
   EXPECT_EQ(load(second, state), 0U);
   run(second);
   EXPECT_EQ(state_hash(second.model()), state_hash(whole.model()));
-  EXPECT_EQ(momentum(second), momentum(whole));
+  EXPECT_EQ(second.momentum(), whole.momentum());
 }
 
 TEST(RigidBodies, BeginWithTheirVelocitiesWhateverThoseOfTheirNodes) {

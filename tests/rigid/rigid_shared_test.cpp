@@ -55,7 +55,7 @@ TEST_F(RigidShared, ABarSlowsABlockDownAsThePressureOfTheWaveHasIt) {
   Scene scene = bar_and_block(6e-5);
   scene.bodies[1].velocity = {0, 0, -1};
   Solver<double> solver(scene);
-  const Point before = momentum(solver);
+  const Point before = solver.momentum();
   EXPECT_NEAR(solver.rigid().results()[0].velocity[2], -1, 1e-15);
   EXPECT_EQ(solver.model().rigid.at(0).nodes.size(), 4U * (of_block + 1));
   EXPECT_NEAR(solver.rigid().results()[0].mass, block_mass + density * h * h * h / 2, 1e-12);
@@ -68,7 +68,7 @@ TEST_F(RigidShared, ABarSlowsABlockDownAsThePressureOfTheWaveHasIt) {
   }
   EXPECT_LT(most, 0.005);
   EXPECT_NEAR(std::exp(-impedance() * scene.time.end / block_mass), 0.02, 0.01) << "most of it is in the wave";
-  EXPECT_NEAR(momentum(solver)[2], before[2], 1e-12 * std::abs(before[2]));
+  EXPECT_NEAR(solver.momentum()[2], before[2], 1e-12 * std::abs(before[2]));
   EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 5e-4);
   const FieldSnapshot now = snapshot(solver);
   for (std::size_t n = 4 * of_bar; n < now.position.size(); ++n) {
@@ -97,7 +97,7 @@ TEST_F(RigidShared, ABarIsAttachedToABlockByNodes) {
   EXPECT_GT(expected.velocity[2], -0.8);
   EXPECT_NEAR(found.velocity[2], expected.velocity[2], 1e-12);
   EXPECT_NEAR(found.mass, expected.mass, 1e-12 * expected.mass);
-  EXPECT_NEAR(momentum(other)[2], momentum(one)[2], 1e-12);
+  EXPECT_NEAR(other.momentum()[2], one.momentum()[2], 1e-12);
 }
 
 TEST_F(RigidShared, NodesAreAttachedToOneRigidBody) {
@@ -138,7 +138,7 @@ TEST_F(RigidShared, NodesAloneMakeARigidBody) {
   EXPECT_NEAR(start.centre[2], of_bar * h, 1e-14);
   run(one);
   run(other);
-  EXPECT_NEAR(momentum(other)[2], momentum(one)[2], 1e-12 * density * h * h * h * of_bar);
+  EXPECT_NEAR(other.momentum()[2], one.momentum()[2], 1e-12 * density * h * h * h * of_bar);
   EXPECT_NEAR(other.rigid().results()[0].centre[2], snapshot(one).position.back()[2], 1e-14);
 }
 
@@ -165,10 +165,10 @@ TEST_F(RigidShared, ABlockThatIsMovedPressesOnItsBar) {
   motion.speed = 1;
   scene.rigid_motions = {motion};
   Solver<double> solver(scene);
-  const double before = momentum(solver)[2];
+  const double before = solver.momentum()[2];
   run(solver);
   EXPECT_NEAR(-solver.rigid().results()[0].force[2] / impedance(), 1, 0.01);
-  EXPECT_NEAR((before - momentum(solver)[2]) / (impedance() * scene.time.end), 1, 0.01);
+  EXPECT_NEAR((before - solver.momentum()[2]) / (impedance() * scene.time.end), 1, 0.01);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using namespace test;
 template <class S>
 void expect_totals(const Solver<S>& solver, double tolerance = 1e-12) {
   BodyShare sum;
-  for (const BodyShare& body : solver.body_energies().results(solver.model())) {
+  for (const BodyShare& body : solver.body_shares()) {
     sum.kinetic += body.kinetic;
     sum.internal += body.internal;
     sum.hourglass += body.hourglass;
@@ -31,7 +31,7 @@ void expect_totals(const Solver<S>& solver, double tolerance = 1e-12) {
   EXPECT_NEAR(sum.bulk_viscosity, all.bulk_viscosity, energy);
   const std::vector<double>& masses = solver.model().node_mass;
   EXPECT_NEAR(sum.mass / std::accumulate(masses.begin(), masses.end(), 0.0), 1, 1e-12);
-  const Point total = momentum(solver.model());
+  const Point total = solver.momentum();
   const double size = std::sqrt(2 * sum.mass * all.kinetic);  // that of the energy, if all moved one way
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(sum.momentum[k], total[k], tolerance * size) << k;
 }
@@ -46,7 +46,7 @@ void expect_totals_of_run(Scene scene, double tolerance = 1e-12) {
   }
   solver.finish();
   expect_totals(solver, tolerance);
-  for (const BodyShare& body : solver.body_energies().results(solver.model())) EXPECT_GT(body.internal, 0);
+  for (const BodyShare& body : solver.body_shares()) EXPECT_GT(body.internal, 0);
 }
 
 TEST(BodyEnergies, OfBodiesOfOneMaterialAddUp) {
@@ -99,7 +99,7 @@ TEST(BodyEnergies, MomentumOfABodyIsWhatImpactGivesIt) {
   const double mass = 7850 * 0.008, size = 9 * mass;
   while (!solver.at_end()) {
     solver.step();
-    const std::vector<BodyShare> bodies = solver.body_energies().results(solver.model());
+    const std::vector<BodyShare> bodies = solver.body_shares();
     const Point impulse = solver.contact_pairs()[0].impulse;
     EXPECT_NEAR(bodies[1].mass, mass, 1e-12 * mass);
     EXPECT_NEAR(bodies[1].momentum[0], mass + impulse[0], 1e-12 * size);
@@ -117,7 +117,7 @@ TEST(BodyEnergies, OfABodyAtRestAreNone) {
   scene.output.body_energies = true;
   Solver<double> solver(scene);
   run(solver);
-  const std::vector<BodyShare> bodies = solver.body_energies().results(solver.model());
+  const std::vector<BodyShare> bodies = solver.body_shares();
   EXPECT_EQ(bodies[0].kinetic, 0);
   EXPECT_EQ(bodies[0].internal, 0);
   EXPECT_EQ(bodies[0].momentum, Point{});

@@ -55,7 +55,7 @@ Scene two_blocks(double end = 2e-4) {
 }
 
 Point momentum_of(const Solver<double>& solver, std::size_t body) {
-  const BodyResult result = body_results(solver.model())[body];
+  const BodyResult result = body_results(solver)[body];
   Point momentum = result.velocity;
   for (double& p : momentum) p *= result.mass_remaining;
   return momentum;
@@ -255,7 +255,7 @@ TEST(ContactPairsWithFriction, DecaysWithTheSpeed) {
     const Point force = solver.contact_pairs()[0].force;
     if (!(force[2] > 0.5 * solver.contact_pairs()[0].force_max)) continue;
     ++compared;
-    const double slides = body_results(solver.model())[1].velocity[0] - speed;
+    const double slides = body_results(solver)[1].velocity[0] - speed;
     EXPECT_NEAR(-force[0] / force[2], 0.1 + 0.3 * std::exp(-0.05 * slides), 0.02);
   }
   EXPECT_GT(compared, 3);

@@ -159,7 +159,7 @@ void put_accounts(const Solver<double>& solver, Columns& columns) {
   put(columns, "meet_force", solver.contact_pairs().at(0).force);
   put(columns, "meet_impulse", solver.contact_pairs()[0].impulse);
   put(columns, "push_force", solver.boundary().forces(solver.model(), solver.force_time()).at(0).force);
-  const auto shares = solver.body_energies().results(solver.model());
+  const auto shares = solver.body_shares();
   for (std::size_t b = 0; b < 2; ++b) {
     const std::string name = b == 0 ? "a" : "b";
     columns[name + "_kinetic"] = std::max(0.0, shares.at(b).kinetic);
@@ -192,13 +192,13 @@ TEST(Report, EveryColumnOfTheHistoryIsOfTheFieldsAndAccounts) {
     if (step % 3 == 2) expect_columns(solver);
   }
   EXPECT_GT(norm(solver.contact_pairs().at(0).impulse), 0) << "they are to touch";
-  EXPECT_EQ(body_results(solver.model())[0].eroded_elements, 2);
-  EXPECT_EQ(body_results(solver.model())[1].eroded_elements, 1);
+  EXPECT_EQ(body_results(solver)[0].eroded_elements, 2);
+  EXPECT_EQ(body_results(solver)[1].eroded_elements, 1);
 }
 
 TEST(Report, TheSummaryIsOfTheSameNumbers) {
   Solver<double> solver(with_every_column());
-  const Point at_start = momentum(solver.model());
+  const Point at_start = solver.momentum();
   double dt_max = 0;
   for (int step = 0; step < 12; ++step) {
     solver.step();

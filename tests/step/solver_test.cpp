@@ -68,7 +68,7 @@ TEST(Solver, VibratingBlockKeepsEnergyAndMomentum) {
   Scene scene = scene_of({block("a", {4, 5, 6}, 0.1, {0, 0, 0}, {3, -2, 1})}, 5e-3, false);
   scene.bodies[0].velocity_gradient = {{{50, 20, 0}, {0, -30, 10}, {40, 0, 0}}};
   Solver<double> solver(scene);
-  const Point before = momentum(solver.model());
+  const Point before = solver.momentum();
   double worst = 0;
   while (solver.time() < scene.time.end) {
     solver.step();
@@ -79,7 +79,7 @@ TEST(Solver, VibratingBlockKeepsEnergyAndMomentum) {
   // Rates of 50/s and steps of 1.4e-5 s: strains and rotations of a step below 1e-3, of which the square is the error.
   EXPECT_LT(worst, 1e-4);
   const double scale = 7850 * 0.12 * 4;
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(momentum(solver.model())[k], before[k], 1e-13 * scale);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(solver.momentum()[k], before[k], 1e-13 * scale);
   // At the end everything belongs to one time. The kinetic energy that central differences keep is less than that of
   // the velocities by the square of half a step times the acceleration: for the slow modes here by little.
   EXPECT_NEAR(solver.energies().kinetic, kinetic_energy(solver), 0.02 * solver.initial_energy());
@@ -190,7 +190,7 @@ TEST(Solver, ErodedNodesKeepTheirMassAndFlyOn) {
   scene.bodies[0].velocity_noise = 1;
   Solver<double> solver(scene);
   solver.step();
-  const Point before = momentum(solver.model());
+  const Point before = solver.momentum();
   strain_to_failure(solver, {0, 1, 2, 3, 4, 5, 6, 7});
   solver.step();
   EXPECT_EQ(solver.counts().eroded_elements(), 8);
@@ -198,7 +198,7 @@ TEST(Solver, ErodedNodesKeepTheirMassAndFlyOn) {
   for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) velocity.push_back(velocity_of(solver, n));
   run(solver);
   for (std::size_t n = 0; n < velocity.size(); ++n) EXPECT_EQ(velocity_of(solver, n), velocity[n]);
-  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(momentum(solver.model())[k], before[k], 1e-10);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(solver.momentum()[k], before[k], 1e-10);
   EXPECT_NEAR(solver.time(), 1e-3, 1e-15);
 }
 

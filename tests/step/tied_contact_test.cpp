@@ -32,7 +32,7 @@ Scene glued(int fine, int coarse, double end, double gap = 0) {
   return scene;
 }
 
-Point momentum_of_all(const Solver<double>& solver) { return momentum(solver.model()); }
+Point momentum_of_all(const Solver<double>& solver) { return solver.momentum(); }
 
 /// Numbers of the scene: nodes of the lower block first.
 double largest_distance_from_faces(const Solver<double>& solver) {
@@ -179,7 +179,7 @@ TEST(TiedContact, IsBornAndDies) {
   }
   solver.finish();
   EXPECT_NEAR(momentum_of_all(solver)[1], before[1], 1e-11 * before[1]);
-  EXPECT_GT(body_results(solver.model())[0].velocity[1], 0.5) << "the lower block was taken along";
+  EXPECT_GT(body_results(solver)[0].velocity[1], 0.5) << "the lower block was taken along";
   EXPECT_LT(worst, 0.01) << "what the joining costs is counted";
   EXPECT_GT(solver.energies().contact_damped, 0);
 }

@@ -46,8 +46,8 @@ class HeldNodeKernels {
   /// What constraints that begin to hold take from the nodes, before their first constrain() [energy].
   virtual double energy_along(const NodeArrays<S>& nodes, const StepLengths& step) const = 0;
   /// Of all constraints of one table, and of all prescriptions, since clear_forces().
-  virtual ForceSum force_of_constraint(std::int32_t table) const = 0;
-  virtual ForceSum force_of_prescribed(std::int32_t table) const = 0;
+  virtual VectorSum force_of_constraint(std::int32_t table) const = 0;
+  virtual VectorSum force_of_prescribed(std::int32_t table) const = 0;
   virtual std::size_t bytes() const = 0;
 };
 
@@ -69,7 +69,7 @@ class PressureKernels {
   virtual void add(const NodeArrays<S>& nodes, S pressure) = 0;
   /// Of what add() has added; when all forces are known.
   virtual void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const = 0;
-  virtual ForceSum force() const = 0;  ///< the sum of what add() has added
+  virtual VectorSum force() const = 0;  ///< the sum of what add() has added
   virtual std::size_t bytes() const = 0;
 };
 
@@ -101,6 +101,18 @@ class ReflectionKernels {
   virtual std::size_t bytes() const = 0;
 };
 
+/// Sums over nodes for output: over all, or over those of a list.
+template <class S>
+class NodeMotionKernels {
+ public:
+  virtual ~NodeMotionKernels() = default;
+  /// At the time of the forces, when all of them are known (node_update.hpp). energy_step: the step before [time].
+  virtual double kinetic(const NodeArrays<S>& nodes, double energy_step) const = 0;
+  /// [mass length/time]; of several ranks each adds up what it has.
+  virtual VectorSum momentum(const NodeArrays<S>& nodes) const = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
 /// Makes all of them for one space.
 template <class S>
 class BoundaryKernels {
@@ -123,6 +135,12 @@ class BoundaryKernels {
   virtual std::unique_ptr<ReflectionKernels<S>> reflection(const std::vector<std::int32_t>& nodes,
                                                            const std::array<double, 3>& point,
                                                            const std::array<double, 3>& inward) const = 0;
+  /// Of all nodes with their masses.
+  virtual std::unique_ptr<NodeMotionKernels<S>> motion(std::int32_t node_count) const = 0;
+  /// share: of the mass of each node in the kinetic energy [-]; mass: of each in the momentum.
+  virtual std::unique_ptr<NodeMotionKernels<S>> motion(const std::vector<std::int32_t>& nodes,
+                                                       const std::vector<double>& share,
+                                                       const std::vector<double>& mass) const = 0;
 };
 
 }  // namespace pinball

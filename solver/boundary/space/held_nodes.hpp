@@ -69,14 +69,14 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
                    EnergyAlong<S>{nodes, constraints_.data(), step.before}, sum);
     return sum;
   }
-  ForceSum force_of_constraint(std::int32_t table) const override {
-    ForceSum sum;
+  VectorSum force_of_constraint(std::int32_t table) const override {
+    VectorSum sum;
     const ForceOfTable<double, NodeConstraint<S>> of_table{constraints_.data(), table, held_.data()};
     add_sum<Space>("force of a constraint", held_.size(), of_table, sum);
     return sum;
   }
-  ForceSum force_of_prescribed(std::int32_t table) const override {
-    ForceSum sum;
+  VectorSum force_of_prescribed(std::int32_t table) const override {
+    VectorSum sum;
     const ForceOfTable<S, NodePrescription<S>> of_table{prescribed_.data(), table, reaction_.data()};
     add_sum<Space>("force of a prescribed velocity", reaction_.size(), of_table, sum);
     return sum;

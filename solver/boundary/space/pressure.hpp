@@ -39,8 +39,8 @@ class SpacePressure final : public PressureKernels<S> {
     add_sum<Space>("work of pressure", node_count(), WorkOfForces<S, PressureForce<S>>{nodes, forces(), step}, sum,
                    shared_);
   }
-  ForceSum force() const override {
-    ForceSum sum;
+  VectorSum force() const override {
+    VectorSum sum;
     add_sum<Space>("total of pressure", node_count(), TotalOfForces<S, PressureForce<S>>{{}, forces()}, sum);
     return sum;
   }

@@ -4,6 +4,7 @@
 
 #include "held_nodes.hpp"
 #include "node_forces.hpp"
+#include "node_motion.hpp"
 #include "pressure.hpp"
 #include "walls.hpp"
 
@@ -54,6 +55,13 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
                                                    const std::array<double, 3>& point,
                                                    const std::array<double, 3>& inward) const override {
     return std::make_unique<SpaceReflection<S, Space>>(nodes, point, inward);
+  }
+  std::unique_ptr<NodeMotionKernels<S>> motion(std::int32_t node_count) const override {
+    return std::make_unique<SpaceNodeMotion<S, Space>>(node_count);
+  }
+  std::unique_ptr<NodeMotionKernels<S>> motion(const std::vector<std::int32_t>& nodes, const std::vector<double>& share,
+                                               const std::vector<double>& mass) const override {
+    return std::make_unique<SpaceNodeMotion<S, Space>>(nodes, share, mass, of_list(nodes));
   }
 
  private:

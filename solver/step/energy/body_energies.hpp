@@ -3,11 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include <kernels/boundary/external_work.hpp>
 #include <solver/base/state_archive.hpp>
-#include <solver/elements/tile_kernels.hpp>
-#include <solver/model/mass_shares.hpp>
-#include <solver/parallel/subdomain.hpp>
+#include <solver/boundary/space/boundary_kernels.hpp>
+#include <solver/elements/internal_forces.hpp>
 
 namespace pinball {
 
@@ -26,17 +24,17 @@ struct BodyShare {
 template <class S>
 class BodyEnergies {
  public:
-  /// Of nothing where the scene does not ask for it. domain: of several ranks, which share the sums; null: one process
-  /// has all.
-  explicit BodyEnergies(const Model<S>& model, Subdomain<S>* domain = nullptr);
-  bool any() const { return !shares_.empty(); }
+  /// Of nothing where the scene does not ask for it. kernels: of the space of the step.
+  BodyEnergies(const Model<S>& model, const BoundaryKernels<S>& kernels);
+  bool any() const { return !motion_.empty(); }
 
-  /// Adds what the tiles have done in a step.
-  void book(const Model<S>& model, const std::vector<TileResult<S>>& tiles);
+  /// Adds what the elements of each body have done in a step.
+  void book(const std::vector<ElementWork>& of_body);
   /// Before the integration, when all forces are known: the kinetic energy at their time (node_update.hpp).
-  void take_kinetic(const Model<S>& model, const StepLengths& step);
+  void take_kinetic(const NodeArrays<S>& nodes, const StepLengths& step);
 
-  std::vector<BodyShare> results(const Model<S>& model) const;
+  /// nodes: StepSpace::nodes_for_output().
+  std::vector<BodyShare> results(const NodeArrays<S>& nodes) const;
   void persist(StateArchive& archive) { archive.of_fixed_size(energies_); }
   std::size_t bytes() const;
 
@@ -44,11 +42,9 @@ class BodyEnergies {
   struct Sums {
     double kinetic = 0, internal = 0, hourglass = 0, bulk_viscosity = 0;
   };
-  std::vector<MassShares> shares_;  ///< per body
-  /// Per body the pieces of its sum, whose are which; empty: one process has all.
-  std::vector<std::shared_ptr<const SharedBlocks>> pieces_;
-  std::vector<std::vector<double>> mass_;  ///< of its nodes without ties [mass]
-  std::vector<Sums> energies_;             ///< per body
+  std::vector<std::unique_ptr<NodeMotionKernels<S>>> motion_;  ///< per body
+  std::vector<double> mass_;                                   ///< of each, without ties [mass]
+  std::vector<Sums> energies_;                                 ///< per body
 };
 
 }  // namespace pinball

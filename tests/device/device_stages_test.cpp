@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <tests/device/device_case.hpp>
+
+/// What the host does in a step whose elements and nodes are a device's: contact, ties and rigid bodies (StepSpace),
+/// and rows of history of a state that stays where it is.
+namespace pinball::device_stages_test {
+namespace {
+
+using namespace test;
+
+/// A rod that erodes on a plate, and the plate under it.
+Scene eroding_impact(ContactMethod method = ContactMethod::pinball) {
+  Scene scene = scene_of({block("rod", {3, 3, 8}, 5e-3, {12.5e-3, 12.5e-3, 10.3e-3}, {0, 20, -700}, "soft"),
+                          block("plate", {8, 8, 2}, 5e-3, {0, 0, 0}, {}, "soft")},
+                         40e-6);
+  scene.materials = {plastic_material("soft", 2e8, 0.3)};
+  scene.contact.method = method;
+  scene.output.body_energies = true;
+  for (const char* body : {"rod", "plate"}) {
+    Probe probe;
+    probe.name = std::string("of_") + body;
+    probe.body = body;
+    probe.point = {20e-3, 20e-3, 10e-3};
+    probe.quantities = {"displacement", "velocity"};
+    scene.probes.push_back(probe);
+    probe.name += "_element";
+    probe.kind = ProbeKind::element;
+    probe.quantities = {"stress", "plastic_strain"};
+    scene.probes.push_back(probe);
+  }
+  return scene;
+}
+
+/// With impulses on faces, friction, and self-contact.
+Scene eroding_impact_of_faces() {
+  Scene scene = eroding_impact();
+  scene.contact.gap = ContactGap::face;
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.friction = 0.3;
+  return scene;
+}
+
+/// A block tied to one that is held, from a time on, and let go again.
+Scene tied_blocks() {
+  Scene scene = scene_of(
+      {block("low", {3, 3, 3}, 0.2, {0, 0, 0}), block("high", {4, 4, 4}, 0.15, {0, 0, 0.6}, {5, 0, 0})}, 6e-4, false);
+  TiedContact tied;
+  tied.name = "glue";
+  tied.first.bodies = {"high"};
+  tied.second.bodies = {"low"};
+  tied.start = 1e-4;
+  tied.end = 4e-4;
+  scene.tied_contacts = {tied};
+  return scene;
+}
+
+/// A rigid ram, pushed, on a block that stands on a rigid floor under gravity.
+Scene ram() {
+  Scene scene =
+      scene_of({block("floor", {4, 4, 1}, 0.1, {-0.1, -0.1, -0.101}), block("block", {4, 4, 4}, 0.05, {0, 0, 0}),
+                block("ram", {2, 2, 2}, 0.1, {0.02, 0.01, 0.201}, {0, 0, -50})},
+               4e-4);
+  for (const char* body : {"floor", "ram"}) {
+    RigidBody rigid;
+    rigid.name = rigid.bodies.emplace_back(body);
+    scene.rigid_bodies.push_back(rigid);
+  }
+  scene.rigid_bodies[0].held = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  scene.gravities = {Gravity{}};
+  scene.gravities[0].acceleration = {0, 0, -9.81};
+  scene.contact.gap = ContactGap::face;
+  scene.contact.enforcement = Enforcement::lagrange;
+  return scene;
+}
+
+struct Case {
+  std::string name;
+  std::function<Scene()> scene;
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all = {
+      {"balls", [] { return eroding_impact(); }},
+      {"faces", [] { return eroding_impact_of_faces(); }},
+      {"slideline",
+       [] {
+         Scene scene = scene_of(
+             {block("a", {4, 4, 2}, 0.05, {0, 0, 0}), block("b", {2, 2, 2}, 0.07, {0.03, 0.02, 0.101}, {0, 0, -30})},
+             4e-4);
+         scene.contact.method = ContactMethod::slideline;
+         return scene;
+       }},
+      {"ties", [] { return tied_blocks(); }},
+      {"rigid", [] { return ram(); }},
+  };
+  return all;
+}
+
+class DeviceStages : public testing::TestWithParam<std::tuple<Device, Case>> {
+ protected:
+  Device device() const { return std::get<0>(GetParam()); }
+  Scene scene() const { return std::get<1>(GetParam()).scene(); }
+};
+
+TEST_P(DeviceStages, AreThoseOfTheHost) {
+  expect_same_run<double>(scene(), device());
+  Scene single = scene();
+  single.precision = Precision::float32;
+  expect_same_run<float>(single, device());
+}
+
+TEST_P(DeviceStages, GoOnFromWhatAnotherDeviceHasSaved) {
+  const std::uint64_t on_host = hash_on<double>(scene(), Device::none), whole = hash_on<double>(scene(), device());
+  EXPECT_EQ(hash_of_parts(scene(), device(), device()), whole);
+  if (!same_bits) return;
+  EXPECT_EQ(hash_of_parts(scene(), device(), Device::none), on_host);
+  EXPECT_EQ(hash_of_parts(scene(), Device::none, device()), on_host);
+}
+
+/// Numbers of a row as one list; those of energies but for round-off of what cancels.
+std::vector<double> numbers_of(const HistoryRow& row) {
+  std::vector<double> numbers = row.more;
+  for (const BodyResult& body : row.bodies) {
+    numbers.insert(numbers.end(),
+                   {body.mass_remaining, body.max_plastic_strain, static_cast<double>(body.eroded_elements)});
+    numbers.insert(numbers.end(), body.velocity.begin(), body.velocity.end());
+  }
+  numbers.insert(numbers.end(), row.momentum.begin(), row.momentum.end());
+  return numbers;
+}
+
+/// Rows in the middle of a run, for which no whole state is copied; of all columns that depend on the state.
+TEST_P(DeviceStages, HaveTheHostsRowsOfHistory) {
+  Scene on_device = scene();
+  on_device.device = device();
+  Solver<double> host(scene()), there(on_device);
+  std::vector<double> largest;
+  for (int step = 0; !host.at_end(); ++step) {
+    host.step();
+    there.step();
+    if (step % 7 != 0) continue;
+    const std::vector<double> expected = numbers_of(history_row(host)), found = numbers_of(history_row(there));
+    ASSERT_EQ(found.size(), expected.size());
+    largest.resize(expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      largest[i] = std::max(largest[i], std::abs(expected[i]));
+      // Sums of what cancels are round-off of the numbers that do.
+      const double scale = std::max(largest[i], 1e-3 * *std::ranges::max_element(largest));
+      ASSERT_NEAR(found[i], expected[i], 1e-9 * scale) << step << ", number " << i;
+    }
+  }
+}
+
+std::string name_of_case(const testing::TestParamInfo<std::tuple<Device, Case>>& info) {
+  return std::string(device_name(std::get<0>(info.param))) + "_" + std::get<1>(info.param).name;
+}
+
+INSTANTIATE_TEST_SUITE_P(On, DeviceStages, testing::Combine(testing::ValuesIn(devices()), testing::ValuesIn(cases())),
+                         name_of_case);
+
+/// Else nothing of erosion is tested.
+TEST(DeviceStagesCases, Erode) {
+  for (const Scene& scene : {eroding_impact(), eroding_impact_of_faces()}) {
+    Solver<double> host(scene);
+    run(host);
+    EXPECT_GT(host.counts().eroded_elements(), 3);
+  }
+}
+
+}  // namespace
+}  // namespace pinball::device_stages_test
