@@ -23,15 +23,7 @@ std::string element_name(const Model<S>& model, std::int64_t slot) {
 
 template <class S>
 std::vector<BodyResult> body_results(const Solver<S>& solver) {
-  const Model<S>& model = solver.layout();
-  std::vector<BodyResult> results(model.mesh.body_names.size());
-  for (std::size_t b = 0; b < results.size(); ++b) results[b].name = model.mesh.body_names[b];
-  for (std::size_t e = 0; e < model.element_mass.size(); ++e) {
-    BodyResult& r = results[model.mesh.body[e]];
-    ++r.elements;
-    r.mass_initial += model.element_mass[e];
-    if (!model.added_mass.empty()) r.mass_added += model.added_mass[e];
-  }
+  std::vector<BodyResult> results = solver.bodies_at_start();
   const std::vector<BodySum> sums = solver.body_sums();
   for (std::size_t b = 0; b < results.size(); ++b) {
     BodyResult& r = results[b];

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <solver/base/built_features.hpp>
-#include <solver/base/error.hpp>
 #include <solver/device/device_run.hpp>
 #include <solver/model/selection/near_nodes.hpp>
 #include <solver/results/sound_bounds.hpp>
@@ -14,7 +13,6 @@
 #include "energy/drift_energy.hpp"
 #include "host_step.hpp"
 #include "impact_speed.hpp"
-#include "integration.hpp"
 #include "places.hpp"
 #include "report.hpp"
 #include "require_built.hpp"
@@ -41,6 +39,20 @@ double sound_swallowing_of(const Scene& scene) {
                                 [](const ContactPair& pair) { return pair.static_friction > 0; });
   const bool stop_dead = !springs && scene.rigid_bodies.size() > 1;
   return damped || plastic || stop_dead || rubs || contact.static_friction > 0 ? 0.0 : sound::contact_swallowed;
+}
+
+/// Names, elements and masses of the bodies.
+template <class S>
+std::vector<BodyResult> bodies_of(const Model<S>& model) {
+  std::vector<BodyResult> bodies(model.mesh.body_names.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].name = model.mesh.body_names[b];
+  for (std::size_t e = 0; e < model.element_mass.size(); ++e) {
+    BodyResult& body = bodies[model.mesh.body[e]];
+    ++body.elements;
+    body.mass_initial += model.element_mass[e];
+    if (!model.added_mass.empty()) body.mass_added += model.added_mass[e];
+  }
+  return bodies;
 }
 
 }  // namespace
@@ -76,6 +88,7 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
   guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
   initial_momentum_ = momentum();
+  bodies_at_start_ = bodies_of(model_);
   if (rigid_.any()) contact_.set_rigid_sides(rigid_.sides());
   choose_common_nodes();
   if (domain_) domain_->connect(model_, fingerprint(model_));
@@ -87,14 +100,6 @@ std::unique_ptr<StepSpace<S>> Solver<S>::make_space() {
     return std::make_unique<DeviceRun<S>>(model_, internal_forces_, schedule_);
   }
   return std::make_unique<HostStep<S>>(model_, internal_forces_, schedule_, domain_.get());
-}
-
-template <class S>
-Model<S>& Solver<S>::change_model() {
-  schedule_.forget_resting();
-  space_->bring_back();
-  space_->host_has_changed();
-  return model_;
 }
 
 template <class S>
@@ -327,109 +332,6 @@ void Solver<S>::watch_energies() {
   }
   for (const Watched kind : {Watched::hourglass_created, Watched::hourglass_large, Watched::hourglass_plastic}) {
     if (watch_.just_beyond(kind)) watch_.set_place(kind, most_hourglassed_slot(model()));
-  }
-}
-
-template <class S>
-Array<S>& Solver<S>::change_velocities() {
-  if (subcycling() != nullptr) {
-    throw InputError("velocities: expected time.subcycling = false, with it they cannot be changed");
-  }
-  if (!kinetic_before_change_) kinetic_before_change_ = kinetic_energy(model_);
-  return change_model().nodes.velocity;
-}
-
-template <class S>
-void Solver<S>::take_changed_velocities() {
-  if (rigid_.any()) rigid_.take_velocities(model_);
-  const double added = kinetic_energy(model_) - *kinetic_before_change_;
-  kinetic_before_change_.reset();
-  schedule_.forget_resting();
-  if (contact() != nullptr) clock_.limit_by_impact_speed(longest_contact_step(model_));
-  if (clock_.steps() > 0) {
-    boundary_.add_work(added);
-  } else {
-    initial_momentum_ = momentum();
-  }
-}
-
-template <class S>
-Point Solver<S>::momentum() const {
-  const VectorSum of_nodes = motion_->momentum(space_->nodes_for_output());
-  const Point beside = rigid_.momentum_beside();
-  return {of_nodes.x + beside[0], of_nodes.y + beside[1], of_nodes.z + beside[2]};
-}
-
-template <class S>
-std::vector<BodyShare> Solver<S>::body_shares() const {
-  if (!body_energies_.any()) return {};
-  return body_energies_.results(space_->nodes_for_output());
-}
-
-template <class S>
-std::vector<double> Solver<S>::probe_values() const {
-  space_->show_watched(probes_.nodes(model_), probes_.slots(model_));
-  return probes_.values(model_, dt());
-}
-
-template <class S>
-Array<S>& Solver<S>::host_forces() {
-  if (!built::boundary_conditions) {
-    throw InputError("external forces: this library was built without boundary conditions (PINBALL_WITHOUT)");
-  }
-  return boundary_.host_forces(model_);
-}
-
-template <class S>
-std::size_t Solver<S>::bytes() const {
-  return model_.bytes() + internal_forces_.bytes() + schedule_.bytes() + contact_.bytes() + symmetry_walls_.bytes() +
-         boundary_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() + space_->bytes() +
-         (domain_ ? domain_->bytes() : 0);
-}
-
-template <class S>
-void Solver<S>::persist(StateArchive& archive) {
-  if (!archive.reads()) {
-    space_->bring_back();
-    space_->bring_back_resting();
-  }
-  model_.persist(archive);
-  if (archive.reads()) space_->host_has_changed();
-  internal_forces_.persist(archive, model_);
-  schedule_.persist(archive, model_);
-  boundary_.persist(archive, model_, clock_.force_time());
-  if (archive.reads()) contact_.take_held_directions(model_);
-  tied_.persist(archive, model_);
-  if (archive.reads() && tied_.any()) contact_.set_ties(tied_.nodes(), false);
-  rigid_.persist(archive);
-  contact_.persist(archive, model_);
-  clock_.persist(archive);
-  ledger_.persist(archive);
-  body_energies_.persist(archive);
-  watch_.persist(archive);
-  inside_out_.persist(archive);
-  counts_.persist(archive);
-  timers_.persist(archive);
-  archive(initial_momentum_, kinetic_before_change_);
-  if (!archive.reads()) return;
-  check_places(archive);
-  choose_common_nodes();
-  if (!domain_) return;
-  domain_->connect_sums(model_);
-  domain_->state_was_read(model_);
-}
-
-/// What a state says of places where something happened is looked up for messages and for the summary.
-template <class S>
-void Solver<S>::check_places(const StateArchive& archive) const {
-  archive.require(model_.may_be_place(clock_.limiting_slot()) && model_.may_be_place(inside_out_.first_slot()) &&
-                  counts_.deepest_node() < model_.nodes.count);
-  for (const Watched kind : {Watched::balance, Watched::hourglass_created, Watched::hourglass_large,
-                             Watched::hourglass_plastic, Watched::kinetic_below_zero, Watched::internal_below_zero}) {
-    archive.require(model_.may_be_place(watch_.place(kind)));
-  }
-  for (const Watched kind : {Watched::contact_created, Watched::contact_swallowed}) {
-    archive.require(watch_.place(kind) < model_.nodes.count);
   }
 }
 

@@ -116,6 +116,8 @@ class Solver {
 
   /// Sum over all nodes, with what bodies of a given centre have above it [mass length/time].
   Point momentum() const;
+  /// What no step changes of the bodies' results.
+  const std::vector<BodyResult>& bodies_at_start() const { return bodies_at_start_; }
   std::vector<BodySum> body_sums() const { return space_->body_sums(); }
   std::vector<BodyShare> body_shares() const;
   /// In the order of Probes::columns().
@@ -192,6 +194,7 @@ class Solver {
   Timers timers_;
   Guards<S> guards_;
   Point initial_momentum_{};
+  std::vector<BodyResult> bodies_at_start_;
   InitialOverlap overlap_at_end_;
   std::vector<InitialOverlap> initial_overlaps_;  ///< only looked for in a scene with contact
   std::optional<UnseenBalls> unseen_balls_;       ///< only looked for where the gap is that of balls

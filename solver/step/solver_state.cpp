@@ -1,0 +1,143 @@
+#include <solver/base/built_features.hpp>
+#include <solver/base/error.hpp>
+
+#include "impact_speed.hpp"
+#include "integration.hpp"
+#include "solver.hpp"
+
+/// The state of a solver between its steps: who changes it, what is told of it, and how it is saved.
+namespace pinball {
+
+template <class S>
+Model<S>& Solver<S>::change_model() {
+  schedule_.forget_resting();
+  space_->bring_back();
+  space_->host_has_changed();
+  return model_;
+}
+
+template <class S>
+Array<S>& Solver<S>::change_velocities() {
+  if (subcycling() != nullptr) {
+    throw InputError("velocities: expected time.subcycling = false, with it they cannot be changed");
+  }
+  if (!kinetic_before_change_) kinetic_before_change_ = kinetic_energy(model_);
+  return change_model().nodes.velocity;
+}
+
+template <class S>
+void Solver<S>::take_changed_velocities() {
+  if (rigid_.any()) rigid_.take_velocities(model_);
+  const double added = kinetic_energy(model_) - *kinetic_before_change_;
+  kinetic_before_change_.reset();
+  schedule_.forget_resting();
+  if (contact() != nullptr) clock_.limit_by_impact_speed(longest_contact_step(model_));
+  if (clock_.steps() > 0) {
+    boundary_.add_work(added);
+  } else {
+    initial_momentum_ = momentum();
+  }
+}
+
+template <class S>
+Point Solver<S>::momentum() const {
+  const VectorSum of_nodes = motion_->momentum(space_->nodes_for_output());
+  const Point beside = rigid_.momentum_beside();
+  return {of_nodes.x + beside[0], of_nodes.y + beside[1], of_nodes.z + beside[2]};
+}
+
+template <class S>
+std::vector<BodyShare> Solver<S>::body_shares() const {
+  if (!body_energies_.any()) return {};
+  return body_energies_.results(space_->nodes_for_output());
+}
+
+template <class S>
+std::vector<double> Solver<S>::probe_values() const {
+  space_->show_watched(probes_.nodes(model_), probes_.slots(model_));
+  return probes_.values(model_, dt());
+}
+
+template <class S>
+Array<S>& Solver<S>::host_forces() {
+  if (!built::boundary_conditions) {
+    throw InputError("external forces: this library was built without boundary conditions (PINBALL_WITHOUT)");
+  }
+  return boundary_.host_forces(model_);
+}
+
+template <class S>
+std::size_t Solver<S>::bytes() const {
+  return model_.bytes() + internal_forces_.bytes() + schedule_.bytes() + contact_.bytes() + symmetry_walls_.bytes() +
+         boundary_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() + space_->bytes() +
+         (domain_ ? domain_->bytes() : 0);
+}
+
+template <class S>
+void Solver<S>::persist(StateArchive& archive) {
+  if (!archive.reads()) {
+    space_->bring_back();
+    space_->bring_back_resting();
+  }
+  model_.persist(archive);
+  if (archive.reads()) space_->host_has_changed();
+  internal_forces_.persist(archive, model_);
+  schedule_.persist(archive, model_);
+  boundary_.persist(archive, model_, clock_.force_time());
+  if (archive.reads()) contact_.take_held_directions(model_);
+  tied_.persist(archive, model_);
+  if (archive.reads() && tied_.any()) contact_.set_ties(tied_.nodes(), false);
+  rigid_.persist(archive);
+  contact_.persist(archive, model_);
+  clock_.persist(archive);
+  ledger_.persist(archive);
+  body_energies_.persist(archive);
+  watch_.persist(archive);
+  inside_out_.persist(archive);
+  counts_.persist(archive);
+  timers_.persist(archive);
+  archive(initial_momentum_, kinetic_before_change_);
+  if (!archive.reads()) return;
+  check_places(archive);
+  choose_common_nodes();
+  if (!domain_) return;
+  domain_->connect_sums(model_);
+  domain_->state_was_read(model_);
+}
+
+/// What a state says of places where something happened is looked up for messages and for the summary.
+template <class S>
+void Solver<S>::check_places(const StateArchive& archive) const {
+  archive.require(model_.may_be_place(clock_.limiting_slot()) && model_.may_be_place(inside_out_.first_slot()) &&
+                  counts_.deepest_node() < model_.nodes.count);
+  for (const Watched kind : {Watched::balance, Watched::hourglass_created, Watched::hourglass_large,
+                             Watched::hourglass_plastic, Watched::kinetic_below_zero, Watched::internal_below_zero}) {
+    archive.require(model_.may_be_place(watch_.place(kind)));
+  }
+  for (const Watched kind : {Watched::contact_created, Watched::contact_swallowed}) {
+    archive.require(watch_.place(kind) < model_.nodes.count);
+  }
+}
+
+template Model<double>& Solver<double>::change_model();
+template Model<float>& Solver<float>::change_model();
+template Array<double>& Solver<double>::change_velocities();
+template Array<float>& Solver<float>::change_velocities();
+template void Solver<double>::take_changed_velocities();
+template void Solver<float>::take_changed_velocities();
+template Point Solver<double>::momentum() const;
+template Point Solver<float>::momentum() const;
+template std::vector<BodyShare> Solver<double>::body_shares() const;
+template std::vector<BodyShare> Solver<float>::body_shares() const;
+template std::vector<double> Solver<double>::probe_values() const;
+template std::vector<double> Solver<float>::probe_values() const;
+template Array<double>& Solver<double>::host_forces();
+template Array<float>& Solver<float>::host_forces();
+template std::size_t Solver<double>::bytes() const;
+template std::size_t Solver<float>::bytes() const;
+template void Solver<double>::persist(StateArchive&);
+template void Solver<float>::persist(StateArchive&);
+template void Solver<double>::check_places(const StateArchive&) const;
+template void Solver<float>::check_places(const StateArchive&) const;
+
+}  // namespace pinball
