@@ -5,6 +5,7 @@ namespace pinball::python {
 void bind_boundary(py::module_& module) {
   bind_choice<Frame>(module, "Frame");
   bind_choice<MotionQuantity>(module, "MotionQuantity");
+  bind_choice<JointKind>(module, "JointKind");
   bind_choice<ProbeKind>(module, "ProbeKind");
   bind_table<Plane>(module, "Plane", "plane = { point, normal }");
   bind_table<Line>(module, "Line", "line = { point, direction }");
@@ -24,9 +25,11 @@ void bind_boundary(py::module_& module) {
   bind_table<RigidBody>(module, "RigidBody", "[[rigid_body]]");
   bind_table<AttachedNodes>(module, "AttachedNodes", "[[rigid_nodes]]");
   bind_table<RigidMotion>(module, "RigidMotion", "[[rigid_motion]]");
+  bind_table<Joint>(module, "Joint", "[[joint]]");
   bind_list<RigidBody>(module, "RigidBodies");
   bind_list<AttachedNodes>(module, "AttachedNodesList");
   bind_list<RigidMotion>(module, "RigidMotions");
+  bind_list<Joint>(module, "Joints");
   bind_list<PlaneConstraint>(module, "SymmetryPlanes");
   bind_list<FixedConstraint>(module, "FixedConstraints");
   bind_list<RigidWall>(module, "RigidWalls");

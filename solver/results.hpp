@@ -80,6 +80,14 @@ struct RigidBodyResult {
   Point force{}, moment{};         ///< of what holds and moves it, at present [force], [force length]
 };
 
+/// What a joint of rigid bodies does.
+struct JointResult {
+  std::string name;
+  Point force{}, moment{};  ///< on the first body, at present; about the place of the joint [force], [force length]
+  double work = 0.0;        ///< done on the bodies, which only the length of steps lets it do [energy]
+  double opening = 0.0;     ///< how far what it keeps together is apart now, over the size of its bodies [-]
+};
+
 /// What the two sides of a contact pair have done to each other.
 struct PairResult {
   std::string name;
@@ -241,6 +249,7 @@ struct RunSummary {
   Point momentum_initial{}, momentum_final{};
   std::vector<BodyResult> bodies;
   std::vector<RigidBodyResult> rigid_bodies;
+  std::vector<JointResult> joints;
   std::vector<WallResult> walls;
   std::vector<PressureResult> pressures;
   std::vector<ProbeResult> probes;

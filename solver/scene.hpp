@@ -164,6 +164,7 @@ struct Scene {
   std::vector<RigidBody> rigid_bodies;
   std::vector<AttachedNodes> attached_nodes;  ///< [[rigid_nodes]]
   std::vector<RigidMotion> rigid_motions;
+  std::vector<Joint> joints;
   DampingSettings damping;
   std::vector<PlaneConstraint> constraints;        ///< [[constraint]] type = "symmetry"
   std::vector<FixedConstraint> fixed_constraints;  ///< [[constraint]] type = "fixed"

@@ -52,4 +52,21 @@ struct RigidMotion {
   std::string where{};  ///< for messages
 };
 
+enum class JointKind { spherical, revolute, cylindrical, translational, universal, locking };
+
+/// What a joint names in the place of a rigid body: what does not move.
+inline constexpr const char* ground = "ground";
+
+/// [[joint]]: how two rigid bodies move with each other, or one with the ground. What the joint does not let them do it
+/// keeps from the start, whatever acts on them.
+struct Joint {
+  std::string name{};  ///< name: unique among them; default: "joint_NUMBER"
+  JointKind kind = JointKind::spherical;
+  std::vector<std::string> bodies{};  ///< bodies: two of them; one may be the ground
+  std::optional<Point> point{};       ///< point: of both, at the start [length]
+  std::optional<Point> axis{};  ///< axis: of a revolute, cylindrical, translational or universal one, a unit vector
+  std::optional<Point> second_axis{};  ///< second_axis: of a universal one, that of the second body, a unit vector
+  std::string where{};                 ///< for messages
+};
+
 }  // namespace pinball

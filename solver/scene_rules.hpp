@@ -54,6 +54,8 @@ std::optional<Problem> problem_of(const Box& box);
 std::optional<Problem> problem_of(const RigidBody& rigid);
 std::optional<Problem> problem_of(const RigidBody& rigid, const Scene& scene);
 std::optional<Problem> problem_of(const RigidMotion& motion);
+std::optional<Problem> problem_of(const Joint& joint);
+std::optional<Problem> problem_of(const Joint& joint, const Scene& scene);
 
 /// Names are parts of dotted keys and of column headings: letters, digits, "_" and "-" only.
 std::optional<Problem> name_problem(const std::string& name);

@@ -764,6 +764,20 @@ class MotionQuantity:
     def __init__(self, value: Union[int, str]) -> None: ...
     def __int__(self) -> int: ...
 
+class JointKind:
+    spherical: JointKind
+    revolute: JointKind
+    cylindrical: JointKind
+    translational: JointKind
+    universal: JointKind
+    locking: JointKind
+    @property
+    def name(self) -> str: ...
+    @property
+    def value(self) -> int: ...
+    def __init__(self, value: Union[int, str]) -> None: ...
+    def __int__(self) -> int: ...
+
 class ProbeKind:
     node: ProbeKind
     element: ProbeKind
@@ -1048,6 +1062,24 @@ class RigidMotion:
     where: str
     """for messages"""
 
+class Joint:
+    """[[joint]]"""
+    def __init__(self, *, name: str = ..., kind: Union[JointKind, str] = ..., bodies: Sequence[str] = ..., point: Optional[Sequence[float]] = ..., axis: Optional[Sequence[float]] = ..., second_axis: Optional[Sequence[float]] = ..., where: str = ...) -> None: ...
+    name: str
+    """of its columns in history.csv; empty: `joint_0`, `joint_1`, ..."""
+    kind: Field[JointKind, Union[JointKind, str]]
+    """what the bodies still do with each other (below)"""
+    bodies: Field[list[str], Sequence[str]]
+    """names of two [[rigid_body]]; in the place of one of them "ground", which does not move"""
+    point: Field[Optional[list[float]], Optional[Sequence[float]]]
+    """where it is at the start, of both bodies [length]"""
+    axis: Field[Optional[list[float]], Optional[Sequence[float]]]
+    """that it turns about or slides along; of a "universal" one that of the first body; None: required but for `"spherical"` and `"locking"` [-]"""
+    second_axis: Field[Optional[list[float]], Optional[Sequence[float]]]
+    """of a "universal" one: that of the second body, at right angles to the first; None: required of a `"universal"` one [-]"""
+    where: str
+    """for messages"""
+
 class RigidBodies(MutableSequence[RigidBody]):
     """A list of RigidBody."""
     def __init__(self, items: Iterable[RigidBody] = ...) -> None: ...
@@ -1092,6 +1124,21 @@ class RigidMotions(MutableSequence[RigidMotion]):
     def __setitem__(self, place: slice, value: Iterable[RigidMotion]) -> None: ...
     def __delitem__(self, place: Union[int, slice]) -> None: ...
     def insert(self, index: int, value: RigidMotion) -> None: ...
+
+class Joints(MutableSequence[Joint]):
+    """A list of Joint."""
+    def __init__(self, items: Iterable[Joint] = ...) -> None: ...
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, place: int) -> Joint: ...
+    @overload
+    def __getitem__(self, place: slice) -> list[Joint]: ...
+    @overload
+    def __setitem__(self, place: int, value: Joint) -> None: ...
+    @overload
+    def __setitem__(self, place: slice, value: Iterable[Joint]) -> None: ...
+    def __delitem__(self, place: Union[int, slice]) -> None: ...
+    def insert(self, index: int, value: Joint) -> None: ...
 
 class SymmetryPlanes(MutableSequence[SymmetryPlane]):
     """A list of SymmetryPlane."""
@@ -1252,7 +1299,7 @@ class SceneSource:
 
 class Scene:
     """What is to be run: the fields are those of a scene file."""
-    def __init__(self, *, name: str = ..., path: str = ..., title: str = ..., units: str = ..., precision: Union[Precision, str] = ..., device: Union[Device, str] = ..., refine: int = ..., of_deck: bool = ..., time: TimeSettings = ..., element: ElementSettings = ..., contact: ContactSettings = ..., contact_pairs: Union[ContactPairs, list[ContactPair]] = ..., tied_contacts: Union[TiedContacts, list[TiedContact]] = ..., skip: SkipSettings = ..., guard: GuardSettings = ..., output: OutputSettings = ..., materials: Union[Materials, list[Material]] = ..., bodies: Union[Bodies, list[Body]] = ..., rigid_bodies: Union[RigidBodies, list[RigidBody]] = ..., attached_nodes: Union[AttachedNodesList, list[AttachedNodes]] = ..., rigid_motions: Union[RigidMotions, list[RigidMotion]] = ..., symmetry_planes: Union[SymmetryPlanes, list[SymmetryPlane]] = ..., fixed: Union[FixedConstraints, list[Fixed]] = ..., rigid_walls: Union[RigidWalls, list[RigidWall]] = ..., prescribed_velocities: Union[PrescribedVelocities, list[PrescribedVelocity]] = ..., loads: Union[Loads, list[Load]] = ..., pressures: Union[Pressures, list[Pressure]] = ..., gravities: Union[Gravities, list[Gravity]] = ..., initial_velocities: Union[InitialVelocities, list[InitialVelocity]] = ..., damping: float = ..., probes: Union[Probes, list[Probe]] = ..., source: Optional[SceneSource] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., path: str = ..., title: str = ..., units: str = ..., precision: Union[Precision, str] = ..., device: Union[Device, str] = ..., refine: int = ..., of_deck: bool = ..., time: TimeSettings = ..., element: ElementSettings = ..., contact: ContactSettings = ..., contact_pairs: Union[ContactPairs, list[ContactPair]] = ..., tied_contacts: Union[TiedContacts, list[TiedContact]] = ..., skip: SkipSettings = ..., guard: GuardSettings = ..., output: OutputSettings = ..., materials: Union[Materials, list[Material]] = ..., bodies: Union[Bodies, list[Body]] = ..., rigid_bodies: Union[RigidBodies, list[RigidBody]] = ..., attached_nodes: Union[AttachedNodesList, list[AttachedNodes]] = ..., rigid_motions: Union[RigidMotions, list[RigidMotion]] = ..., joints: Union[Joints, list[Joint]] = ..., symmetry_planes: Union[SymmetryPlanes, list[SymmetryPlane]] = ..., fixed: Union[FixedConstraints, list[Fixed]] = ..., rigid_walls: Union[RigidWalls, list[RigidWall]] = ..., prescribed_velocities: Union[PrescribedVelocities, list[PrescribedVelocity]] = ..., loads: Union[Loads, list[Load]] = ..., pressures: Union[Pressures, list[Pressure]] = ..., gravities: Union[Gravities, list[Gravity]] = ..., initial_velocities: Union[InitialVelocities, list[InitialVelocity]] = ..., damping: float = ..., probes: Union[Probes, list[Probe]] = ..., source: Optional[SceneSource] = ...) -> None: ...
     name: str
     """of the file, without folder and ending"""
     path: str
@@ -1295,6 +1342,8 @@ class Scene:
     """nodes that move with a rigid body"""
     rigid_motions: Field[RigidMotions, Union[RigidMotions, list[RigidMotion]]]
     """rigid bodies that move as given"""
+    joints: Field[Joints, Union[Joints, list[Joint]]]
+    """how rigid bodies move with each other"""
     symmetry_planes: Field[SymmetryPlanes, Union[SymmetryPlanes, list[SymmetryPlane]]]
     """nodes on a plane do not move across it"""
     fixed: Field[FixedConstraints, Union[FixedConstraints, list[Fixed]]]

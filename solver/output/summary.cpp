@@ -77,6 +77,14 @@ Json rigid_json(const RigidBodyResult& rigid) {
           {"angular_momentum", rigid.angular_momentum}};
 }
 
+Json joint_json(const JointResult& joint) {
+  return {{"name", joint.name},
+          {"force", joint.force},
+          {"moment", joint.moment},
+          {"work", joint.work},
+          {"opening", joint.opening}};
+}
+
 Json pressure_json(const PressureResult& pressure) {
   return {{"name", pressure.name}, {"force", pressure.force}, {"work", pressure.work}};
 }
@@ -184,6 +192,8 @@ std::string summary_json(const RunSummary& s) {
   Json walls = Json::array(), pressures = Json::array(), probes = Json::array();
   Json rigid_bodies = Json::array();
   for (const RigidBodyResult& rigid : s.rigid_bodies) rigid_bodies.push_back(rigid_json(rigid));
+  Json joints = Json::array();
+  for (const JointResult& joint : s.joints) joints.push_back(joint_json(joint));
   for (const WallResult& wall : s.walls) walls.push_back(wall_json(wall));
   for (const PressureResult& pressure : s.pressures) pressures.push_back(pressure_json(pressure));
   for (const ProbeResult& probe : s.probes) probes.push_back(probe_json(probe));
@@ -215,6 +225,7 @@ std::string summary_json(const RunSummary& s) {
       {"bodies", bodies},
       {"mass_scaling", {{"added", s.mass_added}, {"percent", added_percent(s)}}},
       {"rigid_bodies", rigid_bodies},
+      {"joints", joints},
       {"rigid_walls", walls},
       {"pressures", pressures},
       {"contact",

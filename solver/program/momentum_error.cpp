@@ -1,5 +1,6 @@
 #include "momentum_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <solver/base/point.hpp>
@@ -33,6 +34,15 @@ std::vector<Point> directions_acted_on(const Scene& scene) {
   for (const PrescribedVelocity& given : scene.prescribed_velocities) {
     if (given.direction) add(*given.direction);
     if (!given.direction) add_all();
+  }
+  for (const RigidBody& rigid : scene.rigid_bodies) {
+    for (const Point& direction : rigid.held) add(direction);
+  }
+  for (const RigidMotion& given : scene.rigid_motions) {
+    if (given.direction) add(*given.direction);
+  }
+  for (const Joint& joint : scene.joints) {
+    if (std::ranges::find(joint.bodies, ground) != joint.bodies.end()) add_all();
   }
   if (scene.damping.mass > 0) add_all();
   return basis;

@@ -7,6 +7,8 @@
 #include <solver/boundary/prescribed_motions.hpp>
 #include <solver/boundary/space/loops.hpp>
 
+#include "joints.hpp"
+
 namespace pinball {
 
 namespace {
@@ -52,6 +54,7 @@ void RigidBodies<S>::begin_step(double time) {
     before_[b] = body.motion.state();
     sides_.bodies[b] = body.motion.side();
   }
+  if (joints_ && by_impulses_) joints_->set_mobility(jointed(), sides_);
 }
 
 template <class S>
@@ -98,36 +101,60 @@ Point RigidBodies<S>::gravity_beside(const Body& body, double time) const {
   return moment;
 }
 
+/// The wrench of all but joints. Nodes that have forces of the common motion add what they have got since.
+template <class S>
+void RigidBodies<S>::sum_forces(const Model<S>& model, Body& body) const {
+  const CommonMotion before(body.motion);
+  const S* const forces = model.nodes.force.data();
+  const auto add = [&](std::int64_t i, Wrench& partial) {
+    const std::int32_t n = body.nodes[i];
+    const double* const arm = record(body.arm.data(), i);
+    S common[3] = {0, 0, 0};
+    if (body.shared) common_force(before, arm, model.node_mass[n], common);
+    const S* const f = record(forces, n);
+    Wrench own;
+    for (std::size_t k = 0; k < 3; ++k) own.force[k] = static_cast<double>(f[k]) - static_cast<double>(common[k]);
+    own.moment = cross(times(before.rotation, arm), own.force);
+    partial.join(own);
+  };
+  if (!body.shared) body.acting = Wrench();
+  add_sum<Space>("forces of a rigid body", std::ssize(body.nodes), add, body.acting);
+}
+
+template <class S>
+void RigidBodies<S>::put_forces(Model<S>& model, const Body& body) const {
+  S* const forces = model.nodes.force.data();
+  const CommonMotion now(body.motion);
+  for_each<Space>("forces of nodes of a rigid body", std::ssize(body.nodes), [&](std::int64_t i) {
+    const std::int32_t n = body.nodes[i];
+    common_force(now, record(body.arm.data(), i), model.node_mass[n], record(forces, n));
+  });
+}
+
+template <class S>
+std::vector<JointedBody> RigidBodies<S>::jointed() const {
+  std::vector<JointedBody> all;
+  for (const Body& body : bodies_) all.push_back({&body.motion, &body.given, body.acting});
+  return all;
+}
+
 template <class S>
 void RigidBodies<S>::share_forces(Model<S>& model, double time, const StepLengths& step) {
   for (Body& body : bodies_) {
     set_speeds(body, time, step);
-    const CommonMotion before(body.motion);
-    Wrench sum = body.shared ? body.motion.wrench() : Wrench();
-    S* const forces = model.nodes.force.data();
-    const auto add = [&](std::int64_t i, Wrench& partial) {
-      const std::int32_t n = body.nodes[i];
-      const double* const arm = record(body.arm.data(), i);
-      S common[3] = {0, 0, 0};
-      if (body.shared) common_force(before, arm, model.node_mass[n], common);
-      const S* const f = record(forces, n);
-      Wrench own;
-      for (std::size_t k = 0; k < 3; ++k) own.force[k] = static_cast<double>(f[k]) - static_cast<double>(common[k]);
-      own.moment = cross(times(before.rotation, arm), own.force);
-      partial.join(own);
-    };
-    add_sum<Space>("forces of a rigid body", std::ssize(body.nodes), add, sum);
-    if (!body.shared) {
-      body.moment_beside = gravity_beside(body, time);
-      sum.join({{}, body.moment_beside});
-    }
+    sum_forces(model, body);
+    if (body.shared) continue;
+    body.moment_beside = gravity_beside(body, time);
+    body.acting.join({{}, body.moment_beside});
+  }
+  if (joints_) joints_->solve(jointed(), step);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Body& body = bodies_[b];
+    Wrench sum = body.acting;
+    if (joints_) sum.join(joints_->wrench(b));
     body.motion.load(sum, body.given, step.velocity());
     body.shared = true;
-    const CommonMotion now(body.motion);
-    for_each<Space>("forces of nodes of a rigid body", std::ssize(body.nodes), [&](std::int64_t i) {
-      const std::int32_t n = body.nodes[i];
-      common_force(now, record(body.arm.data(), i), model.node_mass[n], record(forces, n));
-    });
+    put_forces(model, body);
   }
 }
 
@@ -135,6 +162,7 @@ template <class S>
 void RigidBodies<S>::move(Model<S>& model, const StepLengths& step) {
   done_ += last_.now + last_.later;
   last_ = {};
+  if (joints_) joints_->book(jointed(), step);
   for (Body& body : bodies_) {
     const Point &before = body.motion.angular_velocity(), &faster = body.motion.angular_acceleration();
     for (std::size_t k = 0; k < 3; ++k)
@@ -240,12 +268,18 @@ std::vector<RigidBodyResult> RigidBodies<S>::results() const {
 }
 
 template <class S>
+std::vector<JointResult> RigidBodies<S>::joint_results() const {
+  return joints_ ? joints_->results() : std::vector<JointResult>();
+}
+
+template <class S>
 void RigidBodies<S>::persist(StateArchive& archive) {
   std::vector<RigidState> states;
   for (const Body& body : bodies_) states.push_back(body.motion.state());
   archive.of_fixed_size(states);
   archive.of_fixed_size(before_);
   archive(done_, last_);
+  if (joints_) joints_->persist(archive);
   if (!archive.reads()) return;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     double square = 0;

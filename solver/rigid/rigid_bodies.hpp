@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@
 #include "rigid_body_motion.hpp"
 
 namespace pinball {
+
+class Joints;
+struct JointedBody;
 
 /// The rigid bodies of a scene in a step. All that acts on them acts on their nodes: forces of the nodes are summed up,
 /// and what then stands in their place are those of the motion that they give to all nodes together, m (A + a x r). So
@@ -25,6 +29,9 @@ class RigidBodies {
   /// Takes the velocities of the nodes. model: has to stay where it is. Throws InputError where those at the start are
   /// no motion of a rigid body, and for given motions that are not at right angles.
   explicit RigidBodies(Model<S>& model);
+  ~RigidBodies();
+  RigidBodies(const RigidBodies&) = delete;
+  RigidBodies& operator=(const RigidBodies&) = delete;
 
   bool any() const { return !bodies_.empty(); }
   /// Longest step that turns no body by more than a hundredth of a radian; where nothing of a scene deforms also a
@@ -55,6 +62,7 @@ class RigidBodies {
   /// store.
   void put_positions_of_forces(std::vector<Point>& positions) const;
   std::vector<RigidBodyResult> results() const;
+  std::vector<JointResult> joint_results() const;
   void persist(StateArchive& archive);
   std::size_t bytes() const;
 
@@ -73,6 +81,7 @@ class RigidBodies {
     std::vector<Gravity> gravities;  ///< that act on it, where there is an offset
     Point moment_beside{};           ///< of gravity in this step, above that on the nodes [force length]
     bool shared = false;             ///< the forces of its nodes are those of load()
+    Wrench acting;                   ///< of all that acts on it in this step but joints
     RigidBodyMotion motion;
   };
   // scene_node: number in the scene per node of the store.
@@ -83,15 +92,21 @@ class RigidBodies {
   void take_gravities(const Scene& scene, const RigidBody& given, Body& body) const;
   Point gravity_beside(const Body& body, double time) const;
   void choose_given(Body& body, double time) const;
+  void keep_joints(Model<S>& model, bool of_start);
+  std::vector<JointedBody> jointed() const;
   void set_speeds(Body& body, double time, const StepLengths& step) const;
+  void sum_forces(const Model<S>& model, Body& body) const;
+  void put_forces(Model<S>& model, const Body& body) const;
   void put_nodes(Model<S>& model, const Body& body) const;
 
   std::vector<RigidMotion> motions_;
   std::vector<Body> bodies_;
+  std::unique_ptr<Joints> joints_;  ///< null: there are none
   std::vector<RigidState> before_;  ///< per body, at the time of the forces
   RigidSides sides_;
-  double of_run_ = 0;  ///< longest step by the length of the run, or infinite [time]
-  double done_ = 0;    ///< work of all steps before the last [energy]
+  bool by_impulses_ = false;  ///< contact asks for mobilities
+  double of_run_ = 0;         ///< longest step by the length of the run, or infinite [time]
+  double done_ = 0;           ///< work of all steps before the last [energy]
   ExternalWork last_;
 };
 

@@ -8,6 +8,7 @@
 #include <solver/model/elements/element_start.hpp>
 #include <solver/model/ordering.hpp>
 
+#include "joints.hpp"
 #include "rigid_bodies.hpp"
 
 namespace pinball {
@@ -81,7 +82,18 @@ RigidBodies<S>::RigidBodies(Model<S>& model) : motions_(model.scene.rigid_motion
   before_.resize(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, scene_node, true);
   begin_step(0);
+  if (model.scene.joints.empty()) return;
+  const ContactSettings& contact = model.scene.contact;
+  by_impulses_ = contact.method != ContactMethod::none && contact.enforcement == Enforcement::lagrange;
+  std::vector<const RigidBodyMotion*> motions;
+  for (const Body& body : bodies_) motions.push_back(&body.motion);
+  joints_ = std::make_unique<Joints>(model.scene.joints, model.scene.rigid_bodies, motions);
+  keep_joints(model, true);
+  begin_step(0);
 }
+
+template <class S>
+RigidBodies<S>::~RigidBodies() = default;
 
 template <class S>
 void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node) {
@@ -102,6 +114,7 @@ void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const s
       .given_by = {},
       .has_own_inertia = has_own,
       .gravities = {},
+      .acting = {},
       .motion = RigidBodyMotion(own.mass, has_own ? given.inertia : own.inertia, centre),
   });
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -232,14 +245,37 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
   put_nodes(model, body);
 }
 
+/// What its joints do not let a body do it does not begin with. Bodies: since begin_step().
+template <class S>
+void RigidBodies<S>::keep_joints(Model<S>& model, bool of_start) {
+  const std::vector<JointedBody> bodies = jointed();
+  const std::vector<Twist> changes = joints_->corrections(bodies);
+  if (of_start) joints_->check_start(bodies, changes);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Point v = bodies_[b].motion.state().velocity, w = bodies_[b].motion.angular_velocity();
+    if (changes[b].velocity == Point{} && changes[b].angular_velocity == Point{}) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k] += changes[b].velocity[k];
+      w[k] += changes[b].angular_velocity[k];
+    }
+    bodies_[b].motion.set_velocities(v, w);
+    put_nodes(model, bodies_[b]);
+  }
+}
+
 template <class S>
 void RigidBodies<S>::take_velocities(Model<S>& model) {
   const std::vector<std::int32_t> scene_node = inverse_permutation(model.node_of_scene_node);
   for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, scene_node, false);
+  if (!joints_) return;
+  for (Body& body : bodies_) body.motion.begin(body.given);
+  keep_joints(model, false);
 }
 
 template RigidBodies<double>::RigidBodies(Model<double>&);
 template RigidBodies<float>::RigidBodies(Model<float>&);
+template RigidBodies<double>::~RigidBodies();
+template RigidBodies<float>::~RigidBodies();
 template void RigidBodies<double>::take_velocities(Model<double>&);
 template void RigidBodies<float>::take_velocities(Model<float>&);
 

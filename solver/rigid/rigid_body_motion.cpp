@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "eigen_points.hpp"
 #include "rigid_rotation.hpp"
 
 namespace pinball {
@@ -13,19 +14,11 @@ using Matrix = Eigen::Matrix3d;
 using Vector = Eigen::Vector3d;
 using Quaternion = Eigen::Quaterniond;
 
-Vector of(const Point& p) { return {p[0], p[1], p[2]}; }
-Point point(const Vector& v) { return {v.x(), v.y(), v.z()}; }
-Matrix of(const std::array<Point, 3>& rows) {
-  Matrix m;
-  for (int i = 0; i < 3; ++i) m.row(i) = of(rows[i]);
-  return m;
-}
 std::array<Point, 3> rows_of(const Matrix& m) { return {point(m.row(0)), point(m.row(1)), point(m.row(2))}; }
-Quaternion of(const std::array<double, 4>& q) { return {q[0], q[1], q[2], q[3]}; }
 
 GivenAxes axes(const std::vector<Point>& directions) {
   std::array<Vector, 3> all;
-  for (std::size_t k = 0; k < directions.size(); ++k) all[k] = of(directions[k]);
+  for (std::size_t k = 0; k < directions.size(); ++k) all[k] = eigen(directions[k]);
   return axes_of({all.data(), directions.size()});
 }
 Vector rates(const std::vector<double>& speeds) {
@@ -60,23 +53,23 @@ RigidBodyMotion::RigidBodyMotion(double mass, const std::array<Point, 3>& inerti
 
 void RigidBodyMotion::set_velocities(const Point& velocity, const Point& angular_velocity) {
   state_.velocity = velocity;
-  state_.angular_momentum = point(of(turned(inertia_)) * of(angular_velocity));
+  state_.angular_momentum = point(eigen(turned(inertia_)) * eigen(angular_velocity));
 }
 
-std::array<Point, 3> RigidBodyMotion::rotation() const { return rows_of(of(state_.orientation).toRotationMatrix()); }
+std::array<Point, 3> RigidBodyMotion::rotation() const { return rows_of(eigen(state_.orientation).toRotationMatrix()); }
 
 std::array<Point, 3> RigidBodyMotion::turned(const std::array<Point, 3>& tensor) const {
-  const Matrix r = of(state_.orientation).toRotationMatrix();
-  return rows_of(r * of(tensor) * r.transpose());
+  const Matrix r = eigen(state_.orientation).toRotationMatrix();
+  return rows_of(r * eigen(tensor) * r.transpose());
 }
 
 void RigidBodyMotion::begin(const GivenMotion& given) {
   now_ = turned(inertia_);
-  const Matrix inverse = of(now_).inverse();
+  const Matrix inverse = eigen(now_).inverse();
   inverse_now_ = rows_of(inverse);
-  angular_velocity_ = point(inverse * of(state_.angular_momentum));
+  angular_velocity_ = point(inverse * eigen(state_.angular_momentum));
   const Matrix translation = mobility_across(axes(given.along), mass_ * Matrix::Identity());
-  const Matrix rotation = mobility_across(axes(given.about), of(now_));
+  const Matrix rotation = mobility_across(axes(given.about), eigen(now_));
   side_ = {{state_.centre[0], state_.centre[1], state_.centre[2]}, symmetric(translation), symmetric(rotation), 0, 0};
   side_.most_translation = given.along.size() < 3 ? 1 / mass_ : 0.0;
   side_.most_rotation = given.about.size() < 3 ? largest_principal_value_of(rotation) : 0.0;
@@ -85,14 +78,14 @@ void RigidBodyMotion::begin(const GivenMotion& given) {
 void RigidBodyMotion::load(const Wrench& wrench, const GivenMotion& given, double velocity_step) {
   wrench_ = wrench;
   const GivenAxes along = axes(given.along), about = axes(given.about);
-  const Vector faster = accelerations(along, rates(given.speeds), of(state_.velocity), velocity_step);
-  const Vector turning = accelerations(about, rates(given.angular_speeds), of(angular_velocity_), velocity_step);
-  const Vector force = of(wrench.force), moment = of(wrench.moment);
+  const Vector faster = accelerations(along, rates(given.speeds), eigen(state_.velocity), velocity_step);
+  const Vector turning = accelerations(about, rates(given.angular_speeds), eigen(angular_velocity_), velocity_step);
+  const Vector force = eigen(wrench.force), moment = eigen(wrench.moment);
   const Vector a = motion_with(along, faster, mass_ * Matrix::Identity(), force);
-  const Vector b = motion_with(about, turning, of(now_), moment);
+  const Vector b = motion_with(about, turning, eigen(now_), moment);
   acceleration_ = point(a);
   angular_acceleration_ = point(b);
-  state_.reaction = {point(part_along(along, mass_ * a - force)), point(part_along(about, of(now_) * b - moment))};
+  state_.reaction = {point(part_along(along, mass_ * a - force)), point(part_along(about, eigen(now_) * b - moment))};
 }
 
 /// Where speeds about axes are given the inertia about them may change as the body turns, and with it the energy: the
@@ -109,9 +102,9 @@ ExternalWork RigidBodyMotion::move(const GivenMotion& given, const StepLengths& 
     state_.angular_momentum[k] += h * (wrench_.moment[k] + state_.reaction.moment[k]);
     state_.centre[k] += step.after * faster;
   }
-  const Quaternion orientation = of(state_.orientation);
-  const Matrix inertia = of(inertia_);
-  const Vector momentum = of(state_.angular_momentum);
+  const Quaternion orientation = eigen(state_.orientation);
+  const Matrix inertia = eigen(inertia_);
+  const Vector momentum = eigen(state_.angular_momentum);
   Quaternion turned_to = orientation;
   if (given.about.empty()) {
     turned_to = turned_freely(orientation, inertia, momentum, step.after);
@@ -121,8 +114,8 @@ ExternalWork RigidBodyMotion::move(const GivenMotion& given, const StepLengths& 
   }
   state_.orientation = {turned_to.w(), turned_to.x(), turned_to.y(), turned_to.z()};
   if (given.about.empty() || !(step.after > 0)) return work;
-  const double twice_before = momentum.dot(of(inverse_now_) * momentum);
-  const Matrix now = of(turned(inertia_));
+  const double twice_before = momentum.dot(eigen(inverse_now_) * momentum);
+  const Matrix now = eigen(turned(inertia_));
   const Vector rate = motion_with(axes(given.about), rates(given.angular_speeds), now, momentum);
   state_.angular_momentum = point(now * rate);
   const bool driven =

@@ -209,6 +209,15 @@ void check_rigid_bodies(Scene& scene, const BodyNames& names) {
     table.require_none(problem_of(motion.table));
     table.require_none(problem_of(motion.when));
   });
+  Names joints;
+  for_each(scene.joints, "joint", [&](const Table& table, Joint& joint, const auto& where) {
+    if (joint.where.empty()) joint.where = where;
+    table.require_none(name_problem(joint.name));
+    table.require_none(joints.add(joint.name));
+    table.keys(joint);
+    table.require_none(problem_of(joint));
+    table.require_none(problem_of(joint, scene));
+  });
 }
 
 void check_constraints(Scene& scene, const BodyNames& names) {

@@ -71,6 +71,37 @@ std::optional<Problem> problem_of(const RigidMotion& motion) {
   return {};
 }
 
+std::optional<Problem> problem_of(const Joint& joint) {
+  if (joint.bodies.size() != 2 || joint.bodies[0] == joint.bodies[1])
+    return Problem{"bodies", fmt::format("expected two rigid bodies, or one and \"ground\", got {}",
+                                         joint.bodies.size() == 2 ? "one twice" : std::to_string(joint.bodies.size()))};
+  if (!joint.point) return Problem{"point", "missing, expected where the joint is"};
+  const bool has_axis = joint.kind != JointKind::spherical && joint.kind != JointKind::locking;
+  if (has_axis != joint.axis.has_value())
+    return Problem{"axis", has_axis ? "missing, expected what the joint turns about or slides along"
+                                    : "expected none: the joint has no direction of its own"};
+  const bool universal = joint.kind == JointKind::universal;
+  if (universal != joint.second_axis.has_value())
+    return Problem{"second_axis", universal ? "missing, expected the axis of the second body"
+                                            : "expected none: only a universal joint has two axes"};
+  if (universal && std::abs(dot(*joint.axis, *joint.second_axis)) > 1e-6 * norm(*joint.axis) * norm(*joint.second_axis))
+    return Problem{"second_axis", "expected a direction at right angles to axis"};
+  return {};
+}
+
+std::optional<Problem> problem_of(const Joint& joint, const Scene& scene) {
+  for (const std::string& name : joint.bodies) {
+    const bool known = std::ranges::find(scene.rigid_bodies, name, &RigidBody::name) != scene.rigid_bodies.end();
+    if (name == ground && known)
+      return Problem{"bodies", "a rigid body is named \"ground\": expected another name of it"};
+    if (known || name == ground) continue;
+    const bool deforms = std::ranges::find(scene.bodies, name, &Body::name) != scene.bodies.end();
+    return Problem{"bodies", fmt::format("expected names of [[rigid_body]] or \"ground\", got \"{}\"{}", name,
+                                         deforms ? ", a body that is no rigid one" : "")};
+  }
+  return {};
+}
+
 /// What rigid bodies are not there for is refused.
 std::optional<Problem> problem_of(const RigidBody& rigid, const Scene& scene) {
   const auto refuse = [](const std::string& text) { return Problem{"bodies", text}; };

@@ -70,6 +70,12 @@ void complete_scene(Scene& scene) {
     if (motion.direction) make_unit(*motion.direction);
     if (motion.axis) make_unit(*motion.axis);
   }
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    Joint& joint = scene.joints[j];
+    if (joint.axis) make_unit(*joint.axis);
+    if (joint.second_axis) make_unit(*joint.second_axis);
+    if (joint.name.empty()) joint.name = fmt::format("joint_{}", j);
+  }
   for (PlaneConstraint& plane : scene.constraints) make_unit(plane.normal);
   for (FixedConstraint& fixed : scene.fixed_constraints) {
     make_unit(fixed.nodes);

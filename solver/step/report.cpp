@@ -210,6 +210,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.bodies = body_results(solver);
   for (const double added : model.added_mass) summary.mass_added += added;
   summary.rigid_bodies = solver.rigid().results();
+  summary.joints = solver.rigid().joint_results();
   summary.walls = solver.boundary().walls();
   summary.pressures = solver.boundary().pressures();
   summary.probes = solver.probes().results(model, solver.dt());

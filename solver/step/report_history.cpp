@@ -29,6 +29,11 @@ std::vector<std::string> more_columns(const Solver<S>& solver) {
       for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}_{}_{}", rigid.name, quantity, axis));
     }
   }
+  for (const Joint& joint : solver.scene().joints) {
+    for (const char* quantity : {"joint_force", "joint_moment"}) {
+      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}_{}_{}", joint.name, quantity, axis));
+    }
+  }
   for (const PressureResult& pressure : solver.boundary().pressures()) {
     for (const char* quantity : {"force_x", "force_y", "force_z", "work"})
       columns.push_back(fmt::format("{}_{}", pressure.name, quantity));
@@ -91,6 +96,10 @@ HistoryRow history_row(const Solver<S>& solver) {
   }
   for (const RigidBodyResult& rigid : solver.rigid().results()) {
     for (const Point& quantity : {rigid.centre, rigid.velocity, rigid.angular_velocity, rigid.force, rigid.moment})
+      row.more.insert(row.more.end(), quantity.begin(), quantity.end());
+  }
+  for (const JointResult& joint : solver.rigid().joint_results()) {
+    for (const Point& quantity : {joint.force, joint.moment})
       row.more.insert(row.more.end(), quantity.begin(), quantity.end());
   }
   for (const PressureResult& pressure : solver.boundary().pressures()) {

@@ -61,9 +61,9 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
                                       "end_time", "dt", "wall_seconds", "phase_seconds", "element_steps",
                                       "element_steps_skipped", "element_steps_eroded", "element_steps_resting",
                                       "element_steps_subcycled", "element_steps_rigid", "element_steps_per_second",
-                                      "energy", "momentum", "bodies", "mass_scaling", "rigid_bodies", "rigid_walls",
-                                      "pressures", "contact", "inside_out", "skipped", "skipped_seconds", "parallel",
-                                      "state_hash", "bytes_per_element", "probes", "warnings", "notes"));
+                                      "energy", "momentum", "bodies", "mass_scaling", "rigid_bodies", "joints",
+                                      "rigid_walls", "pressures", "contact", "inside_out", "skipped", "skipped_seconds",
+                                      "parallel", "state_hash", "bytes_per_element", "probes", "warnings", "notes"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(
       keys(json["energy"]),
@@ -237,6 +237,11 @@ void expect_own_numbers(double sign) {
   rigid.velocity = n.vector("/rigid_bodies/0/velocity");
   rigid.angular_velocity = n.vector("/rigid_bodies/0/angular_velocity");
   rigid.angular_momentum = n.vector("/rigid_bodies/0/angular_momentum");
+  JointResult& joint = s.joints.emplace_back();
+  joint.force = n.vector("/joints/0/force");
+  joint.moment = n.vector("/joints/0/moment");
+  joint.work = n("/joints/0/work");
+  joint.opening = n("/joints/0/opening");
   WallResult& wall = s.walls.emplace_back();
   wall.moves = true;
   wall.impulse = n("/rigid_walls/0/impulse");
@@ -313,6 +318,7 @@ TEST(Summary, EveryKeyHoldsItsOwnText) {
   set("/inside_out/first_place", s.inside_out.first_place);
   set("/bodies/0/name", s.bodies.emplace_back().name);
   set("/rigid_bodies/0/name", s.rigid_bodies.emplace_back().name);
+  set("/joints/0/name", s.joints.emplace_back().name);
   set("/rigid_walls/0/name", s.walls.emplace_back().name);
   set("/pressures/0/name", s.pressures.emplace_back().name);
   set("/probes/0/name", s.probes.emplace_back().name);

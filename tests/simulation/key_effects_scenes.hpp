@@ -126,6 +126,9 @@ inline std::map<std::string, std::string> key_effects_scenes() {
        acted_on("[[rigid_body]]\nname = \"r\"\nbodies = [\"b\"]\nheld = [\"x\"]\n[[rigid_motion]]\nrigid_body = "
                 "\"r\"\ndirection = [0, 0, 1]\nspeed = 0.2\n[[rigid_motion]]\nrigid_body = \"r\"\naxis = [0, 0, 1]\n"
                 "angular_speed = 0.2\ntimes = [0, 1, 2]\nfactors = [0, 1, 2]\nend = 1.5\n")},
+      {"joints", acted_on("[[rigid_body]]\nname = \"pair\"\nbodies = [\"b\"]\n[[gravity]]\nacceleration = [1, 2, -9]\n"
+                          "[[joint]]\nkind = \"universal\"\nbodies = [\"pair\", \"ground\"]\npoint = [0, 0, 3]\n"
+                          "axis = [0, 1, 0]\nsecond_axis = [0, 0, 1]\n")},
       {"rigid alone", top + "[contact]\nmethod = \"pinball\"\n" + material("m", yields + "plastic_modulus = 2.0\n") +
                           body("a", "m", "velocity = [0.2, 0, 1]\n") + body("b", "m", "position = [0.1, 0.2, 1.01]\n") +
                           "[[rigid_body]]\nbodies = [\"a\"]\n[[rigid_body]]\nbodies = [\"b\"]\n"},

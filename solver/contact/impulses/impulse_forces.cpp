@@ -49,7 +49,7 @@ double ImpulseSolver<S>::shared_inverse_mass(std::int64_t k) const {
     for_rigid_entries(row, nodes_.data(), rigid_, [&](const RigidEntry& entry) {
       const double root = std::sqrt(entry.most(rigid_.side(entry.body)));
       alone += root * root;
-      shared += root * rigid_release_share_[entry.body];
+      shared += root * rigid_release_share_[rigid_.first_of(entry.body)];
     });
   }
   const double inverse_mass = rows_.rows[i].inverse_mass;
@@ -89,7 +89,7 @@ void ImpulseSolver<S>::share_releases() {
     if (!opens(k)) continue;
     const double force = pairs_[system_.original(k)].memory.force;
     for_rigid_entries(system_.entries(k), nodes_.data(), rigid_, [&](const RigidEntry& entry) {
-      rigid_release_share_[entry.body] += std::sqrt(entry.most(rigid_.side(entry.body))) * force;
+      rigid_release_share_[rigid_.first_of(entry.body)] += std::sqrt(entry.most(rigid_.side(entry.body))) * force;
     });
   }
 }

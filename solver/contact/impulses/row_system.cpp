@@ -87,18 +87,27 @@ void RowSystem::sort(const std::vector<std::int32_t>& active) {
   if (rigid_) sort_rigid_nodes();
 }
 
-/// All places of a body hang together.
+/// All places of a body hang together, and those of bodies that do by joints.
 void RowSystem::join_rigid_bodies() {
   rigid_places_.clear();
   for (std::size_t place = 0; place < nodes_->size(); ++place) {
     if (node(static_cast<std::int32_t>(place)).body >= 0) rigid_places_.push_back(static_cast<std::int32_t>(place));
   }
+  const auto body = [this](std::size_t i) { return node(rigid_places_[i]).body; };
+  const auto join = [this](std::int32_t a, std::int32_t b) {
+    const std::int32_t one = root(a), other = root(b);
+    parent_[std::max(one, other)] = std::min(one, other);
+  };
   std::stable_sort(rigid_places_.begin(), rigid_places_.end(),
                    [this](std::int32_t a, std::int32_t b) { return node(a).body < node(b).body; });
-  for (std::size_t i = 1; i < rigid_places_.size(); ++i) {
-    if (node(rigid_places_[i - 1]).body != node(rigid_places_[i]).body) continue;
-    const std::int32_t one = root(rigid_places_[i - 1]), other = root(rigid_places_[i]);
-    parent_[std::max(one, other)] = std::min(one, other);
+  next_.assign(rigid_.sides->mechanisms.size(), -1);  // first place of each
+  for (std::size_t i = 0; i < rigid_places_.size(); ++i) {
+    if (i > 0 && body(i - 1) == body(i)) {
+      join(rigid_places_[i - 1], rigid_places_[i]);
+    } else if (const std::int32_t mechanism = rigid_.side(body(i)).mechanism; mechanism >= 0) {
+      if (next_[mechanism] >= 0) join(next_[mechanism], rigid_places_[i]);
+      if (next_[mechanism] < 0) next_[mechanism] = rigid_places_[i];
+    }
   }
 }
 
@@ -195,7 +204,7 @@ void RowSystem::add_rigid_constants() {
     for (std::int32_t k = 0; k < size(); ++k) {
       for_rigid_entries(entries(k), nodes, rigid_, [&](const RigidEntry& entry) {
         const RigidSide& side = rigid_.side(entry.body);
-        visit(constants_[k], entry.body, std::sqrt(entry.along(side, constants_[k].direction)),
+        visit(constants_[k], rigid_.first_of(entry.body), std::sqrt(entry.along(side, constants_[k].direction)),
               std::sqrt(entry.most(side)));
       });
     }

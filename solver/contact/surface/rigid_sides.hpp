@@ -9,21 +9,39 @@ namespace pinball {
 
 /// How a rigid body answers an impulse at the present place. Impulse P and moment D about its centre change the
 /// velocity of the centre by `translation` P, and the angular velocity by `rotation` D; directions that are held or
-/// moved as prescribed have no mobility.
+/// moved as prescribed have no mobility. Where it is jointed these are with all that its joints move and hold, and the
+/// changes are more by `coupling` D and its transpose times P.
 struct RigidSide {
   Vec3<double> centre{};            ///< [length]
   Symmetric<double> translation{};  ///< 1/M where it is free [1/mass]
   Symmetric<double> rotation{};     ///< I^-1 where it is free [1/(mass length^2)]
   double most_translation = 0;      ///< largest principal value [1/mass]
   double most_rotation = 0;         ///< the same [1/(mass length^2)]
+  std::int32_t mechanism = -1;      ///< number of what it is jointed with; -1: it has no joints
+  std::int32_t in_mechanism = 0;    ///< number among its bodies
+  Vec3<double> coupling[3]{};       ///< rows [1/(mass length)]
 
   bool is_mobile() const { return most_translation > 0 || most_rotation > 0; }
+};
+
+/// Bodies that hang together by joints. What an impulse on one of them does to another contact has to know: `mobility`
+/// is the matrix of all, six rows and columns a body, of velocity and angular velocity over impulse and moment.
+struct RigidMechanism {
+  std::vector<std::int32_t> bodies;  ///< ascending
+  std::vector<double> mobility;      ///< row by row
 };
 
 /// The rigid bodies of whoever owns nodes, as contact sees them.
 struct RigidSides {
   std::vector<std::int32_t> body_of_node;  ///< per node of the store; -1: it moves by itself
   std::vector<RigidSide> bodies;           ///< brought up to date before each step
+  std::vector<RigidMechanism> mechanisms;  ///< the same
+
+  /// The first body of all that hang together with this one.
+  std::int32_t first_of(std::int32_t body) const {
+    const std::int32_t mechanism = bodies[body].mechanism;
+    return mechanism < 0 ? body : mechanisms[mechanism].bodies.front();
+  }
 };
 
 }  // namespace pinball

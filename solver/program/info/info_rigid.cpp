@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <solver/scene/schema/choices.hpp>
+
 #include "info_boundary.hpp"
 #include "info_material.hpp"
 
@@ -17,6 +19,15 @@ std::string directions_text(const std::vector<Point>& directions) {
 }
 
 std::string per_time(const Units& units) { return units.time.empty() ? "" : "1/" + units.time; }
+
+void print_joints(const Scene& scene, const Units& units) {
+  for (const Joint& joint : scene.joints) {
+    fmt::print("  joint {} ({}) of {} and {} at {}{}{}\n", joint.name, schema::name_of(joint.kind), joint.bodies[0],
+               joint.bodies[1], vector_text(joint.point.value_or(Point{}), units.length),
+               joint.axis ? ", axis " + vector_text(*joint.axis, "") : "",
+               joint.second_axis ? ", of the second body " + vector_text(*joint.second_axis, "") : "");
+  }
+}
 
 }  // namespace
 
@@ -44,6 +55,7 @@ void print_rigid_bodies(const Scene& scene, const std::vector<RigidBodyResult>& 
                    with_unit(motion.angular_speed, per_time(units)));
     }
   }
+  print_joints(scene, units);
 }
 
 }  // namespace pinball

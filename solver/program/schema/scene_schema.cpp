@@ -123,6 +123,7 @@ SchemaJson definitions() {
   define<RigidBody>(all);
   define<AttachedNodes>(all, some_nodes());
   define<RigidMotion>(all, {{"oneOf", {required({"direction"}), required({"axis"})}}});
+  define<Joint>(all);
   define<Plane>(all);
   define<Line>(all);
   define<Box>(all);

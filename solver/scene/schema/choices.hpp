@@ -101,6 +101,11 @@ constexpr auto choices(Of<MotionQuantity>) {
   return std::array{Choice{"velocity", MotionQuantity::velocity}, Choice{"displacement", MotionQuantity::displacement},
                     Choice{"acceleration", MotionQuantity::acceleration}};
 }
+constexpr auto choices(Of<JointKind>) {
+  return std::array{Choice{"spherical", JointKind::spherical},     Choice{"revolute", JointKind::revolute},
+                    Choice{"cylindrical", JointKind::cylindrical}, Choice{"translational", JointKind::translational},
+                    Choice{"universal", JointKind::universal},     Choice{"locking", JointKind::locking}};
+}
 constexpr auto choices(Of<ProbeKind>) {
   return std::array{Choice{"node", ProbeKind::node}, Choice{"element", ProbeKind::element}};
 }

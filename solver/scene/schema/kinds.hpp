@@ -41,6 +41,7 @@ constexpr Kind kind(Of<SphereMesh>) { return {"sphere", "body.NAME.mesh"}; }
 constexpr Kind kind(Of<RigidBody>) { return {"rigid_body", "rigid_body.NAME"}; }
 constexpr Kind kind(Of<AttachedNodes>) { return {"rigid_nodes", "rigid_nodes.NUMBER"}; }
 constexpr Kind kind(Of<RigidMotion>) { return {"rigid_motion", "rigid_motion.NUMBER"}; }
+constexpr Kind kind(Of<Joint>) { return {"joint", "joint.NAME"}; }
 constexpr Kind kind(Of<PlaneConstraint>) { return {"symmetry", "constraint.NUMBER"}; }
 constexpr Kind kind(Of<FixedConstraint>) { return {"fixed", "constraint.NUMBER"}; }
 constexpr Kind kind(Of<Plane>) { return {"plane", "plane"}; }

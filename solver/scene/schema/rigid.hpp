@@ -92,4 +92,28 @@ constexpr void describe(Of<RigidMotion>, Visit&& visit) {
   visit(Field{"where", &T::where, "for messages"});
 }
 
+template <class Visit>
+constexpr void describe(Of<Joint>, Visit&& visit) {
+  using T = Joint;
+  visit(Key{"name",
+            &T::name,
+            "of its columns in `history.csv`",
+            {.form = Form::name, .otherwise = "`joint_0`, `joint_1`, ...", .listed = Listed::never}});
+  visit(Key{"kind", &T::kind, "what the bodies still do with each other (below)", {.need = Need::required}});
+  visit(Key{"bodies",
+            &T::bodies,
+            "names of two `[[rigid_body]]`; in the place of one of them `\"ground\"`, which does not move",
+            {.need = Need::required, .done = Done::reading_by_hand}});
+  visit(Key{"point", &T::point, "where it is at the start, of both bodies", {.unit = "L", .need = Need::required}});
+  visit(Key{"axis",
+            &T::axis,
+            "that it turns about or slides along; of a `\"universal\"` one that of the first body",
+            {.unit = "-", .form = Form::direction, .otherwise = "required but for `\"spherical\"` and `\"locking\"`"}});
+  visit(Key{"second_axis",
+            &T::second_axis,
+            "of a `\"universal\"` one: that of the second body, at right angles to the first",
+            {.unit = "-", .form = Form::direction, .otherwise = "required of a `\"universal\"` one"}});
+  visit(Field{"where", &T::where, "for messages"});
+}
+
 }  // namespace pinball::schema

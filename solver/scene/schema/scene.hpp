@@ -108,6 +108,7 @@ constexpr void describe(Of<Scene>, Visit&& visit) {
   visit(Tables{"rigid_body", "rigid_bodies", &T::rigid_bodies, "bodies that do not deform"});
   visit(Tables{"rigid_nodes", "attached_nodes", &T::attached_nodes, "nodes that move with a rigid body"});
   visit(Tables{"rigid_motion", "rigid_motions", &T::rigid_motions, "rigid bodies that move as given"});
+  visit(Tables{"joint", "joints", &T::joints, "how rigid bodies move with each other"});
   visit(Tables{"constraint", "symmetry_planes", &T::constraints, "nodes on a plane do not move across it"});
   visit(Tables{"constraint", "fixed", &T::fixed_constraints, "nodes do not move along some directions"});
   visit(Tables{"rigid_wall", "rigid_walls", &T::rigid_walls, "planes that nodes do not cross"});

@@ -89,7 +89,7 @@ std::vector<TableKeys> all_kinds() {
   add(keys_of_all(TablesOfMaterial{}));
   add(keys_of<Body>());
   add(mesh_keys());
-  add(keys_of<RigidBody, AttachedNodes, RigidMotion>());
+  add(keys_of<RigidBody, AttachedNodes, RigidMotion, Joint>());
   add({together("constraint", keys_of<PlaneConstraint, FixedConstraint>())});
   add(keys_of<PlaneConstraint, FixedConstraint, Plane, Line, Box, RigidWall, PrescribedVelocity, NodalLoad, Pressure,
               Gravity, InitialVelocity, DampingSettings, Probe>());

@@ -72,6 +72,10 @@ void list_boundary(const Scene& scene, std::vector<SceneEntry>& all) {
   }
   list_numbered("rigid_nodes", scene.attached_nodes, all);
   list_numbered("rigid_motion", scene.rigid_motions, all);
+  for (const Joint& joint : scene.joints) {
+    Entries table(all, "joint." + joint.name);
+    list_keys(table, joint);
+  }
   list_constraints(scene, all);
   list_walls(scene, all);
   list_numbered("prescribed_velocity", scene.prescribed_velocities, all);

@@ -1,5 +1,9 @@
 #include "rigid_parts.hpp"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 #include <solver/scene/schema/rigid.hpp>
 
 #include "boundary_parts.hpp"
@@ -42,6 +46,15 @@ RigidMotion read_rigid_motion(const SceneTable& table, const Names& rigid_bodies
   return motion;
 }
 
+Joint read_joint(const SceneTable& table, const std::vector<std::string>& rigid_bodies) {
+  Joint joint;
+  joint.where = table.place();
+  read_keys(table, joint);
+  joint.bodies = table.texts("bodies", rigid_bodies);
+  table.require_none(problem_of(joint));
+  return joint;
+}
+
 }  // namespace
 
 void read_rigid_bodies(const SceneTable& top, Scene& scene) {
@@ -58,6 +71,16 @@ void read_rigid_bodies(const SceneTable& top, Scene& scene) {
     scene.attached_nodes.push_back(read_attached_nodes(table, names));
   for (const SceneTable& table : top.tables("rigid_motion", "rigid_motion"))
     scene.rigid_motions.push_back(read_rigid_motion(table, names));
+  std::vector<std::string> jointed = names_of(scene.rigid_bodies);
+  jointed.emplace_back(ground);
+  Names joints;
+  for (const SceneTable& table : top.tables("joint", "joint")) {
+    Joint joint = read_joint(table, jointed);
+    if (joint.name.empty()) joint.name = fmt::format("joint_{}", scene.joints.size());
+    table.require_none(joints.add(joint.name, table.has("name") ? table.where("name") : table.place()));
+    table.require_none(problem_of(joint, scene));
+    scene.joints.push_back(std::move(joint));
+  }
 }
 
 }  // namespace pinball

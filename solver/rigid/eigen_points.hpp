@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+
+#include <kernels/tensor.hpp>
+#include <solver/base/point.hpp>
+
+/// Points and tensors of the house as those of Eigen, and back.
+namespace pinball {
+
+inline Eigen::Vector3d eigen(const Point& p) { return {p[0], p[1], p[2]}; }
+inline Point point(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+inline Eigen::Matrix3d eigen(const std::array<Point, 3>& rows) {
+  Eigen::Matrix3d m;
+  for (int i = 0; i < 3; ++i) m.row(i) = eigen(rows[i]);
+  return m;
+}
+/// w, x, y, z
+inline Eigen::Quaterniond eigen(const std::array<double, 4>& q) { return {q[0], q[1], q[2], q[3]}; }
+
+inline Eigen::Matrix3d eigen(const Symmetric<double>& s) {
+  Eigen::Matrix3d m;
+  m << s.xx, s.xy, s.zx, s.xy, s.yy, s.yz, s.zx, s.yz, s.zz;
+  return m;
+}
+
+}  // namespace pinball
