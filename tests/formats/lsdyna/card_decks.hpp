@@ -56,6 +56,9 @@ inline const std::string rigid_part = "*PART\nlower\n1,1,1\nupper\n2,1,2\n",
 /// The upper part is rigid, and moves.
 inline const std::string attached =
     rigid_part + "*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n*INITIAL_VELOCITY_RIGID_BODY\n2,1.,2.,3.\n";
+/// Both parts are rigid, the upper one stands on the lower one and moves.
+inline const std::string standing =
+    "*NODE\n" + square_lines(1, 0) + square_lines(5, 1) + square_lines(9, 1) + square_lines(13, 2) + rigid_parts;
 inline const std::string one_inertia = "*PART\nupper\n2,1,1\n*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n";
 inline const std::string no_elastic = "*MAT_ELASTIC\n9,7.85E-9,210000.,0.3\n";
 inline std::vector<std::string> with_blanks(std::vector<std::string> lines, std::size_t count) {
@@ -163,6 +166,12 @@ inline std::vector<CardDeck> decks_of_definitions() {
           {"CONSTRAINED_RIGID_BODIES", "", {"1,2"}, rigid_parts},
           {"CONSTRAINED_EXTRA_NODES_NODE", "", {"2,7"}, attached},
           {"CONSTRAINED_EXTRA_NODES_SET", "", {"2,5"}, attached},
+          {"CONSTRAINED_JOINT_SPHERICAL", "", {"5,9"}, standing},
+          {"CONSTRAINED_JOINT_REVOLUTE", "", {"5,9,6,10"}, standing},
+          {"CONSTRAINED_JOINT_CYLINDRICAL", "", {"5,9,6,10"}, standing},
+          {"CONSTRAINED_JOINT_TRANSLATIONAL", "", {"5,9,6,10"}, standing},
+          {"CONSTRAINED_JOINT_UNIVERSAL", "", {"5,9,6,12"}, standing},
+          {"CONSTRAINED_JOINT_LOCKING", "", {"5,9"}, standing},
           {"MAT_ADD_EROSION", "", {"1,0.,900.", "-300.,400.,500.,0.6,0.7,0.,0.,5.E-7", "", "", "0.,0.,0.,1.E-12"}},
           {"EOS_GRUNEISEN", "", {"3,4.5E6,1.5,0.1,0.2,2.,0.4", ""}, no_elastic + compressed + metal},
           {"EOS_LINEAR_POLYNOMIAL", "", {"3,0.,1.7E5,1.E5,1.E5,2.,0.4,0.1", ""}, no_elastic + compressed + metal}};

@@ -42,6 +42,7 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
 /// *MAT_RIGID: a [[rigid_body]] for each rigid part that leads, with what is merged into it.
 void translate_rigid_bodies(DeckData& data, DeckScene& scene);
 void translate_extra_nodes(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+void translate_joints(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 
 /// *NODE: constraints of TC, all nodes of one code together.
 void translate_node_codes(DeckData& data, DeckScene& scene);

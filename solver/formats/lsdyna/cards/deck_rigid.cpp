@@ -165,7 +165,7 @@ void translate_extra_nodes(DeckData& data, const KeywordBlock& block, DeckScene&
     const std::vector<std::int32_t> nodes = nodes_of_card(data, block, set, f, of_set);
     const auto is_idle = [&](std::int32_t node) { return node >= 0 && !data.used[node]; };
     if (!nodes.empty() && std::ranges::all_of(nodes, is_idle))  // what is not there is said elsewhere
-      return data.report.unused(card.place, what, "they are nodes of no solid");
+      return data.report.unused(card.place, what, "they are nodes of no solid, which joints alone know");
     const auto keys = scene.entry<AttachedNodes>("rigid_nodes", card_of(block, card.place));
     keys.set("rigid_body", data.find_part(lead)->body, "pid");
     set_target(block, set, f.integer(of_set), keys);

@@ -78,6 +78,10 @@ void add_definitions(Table& table) {
   table.push_back({"CONSTRAINED_RIGID_BODIES", "", {&l::merged_parts}});
   table.push_back({"CONSTRAINED_EXTRA_NODES_NODE", "", {&l::attached_node}});
   table.push_back({"CONSTRAINED_EXTRA_NODES_SET", "", {&l::attached_set}});
+  for (const char* kind : {"SPHERICAL", "LOCKING"})
+    table.push_back({std::string("CONSTRAINED_JOINT_") + kind, "", {&l::joint_pair}});
+  for (const char* kind : {"REVOLUTE", "CYLINDRICAL", "TRANSLATIONAL", "UNIVERSAL"})
+    table.push_back({std::string("CONSTRAINED_JOINT_") + kind, "", {&l::joint_pairs}});
   table.push_back({"MAT_ADD_EROSION",
                    "",
                    {&l::erosion, &l::erosion_limits, &l::erosion_damage, &l::erosion_curves, &l::erosion_more}});

@@ -29,6 +29,26 @@ inline constexpr CardLayout attached_node{whole("PID").always(), whole("NID").al
 inline constexpr CardLayout attached_set{whole("PID").always(), whole("NSID").always(),
                                          whole("IFLAG").reported(of_inertia)};
 
+inline constexpr std::string_view kept_exactly = "joints are kept without penalty and damping";
+inline constexpr CardLayout joint_number{whole("JID"), text("HEADING").columns(70)};
+inline constexpr std::string_view from_start = "what the joint keeps of directions it keeps from the start";
+inline constexpr CardLayout joint_pair{whole("N1").always(),
+                                       whole("N2").always(),
+                                       whole("N3").reported(from_start),
+                                       whole("N4").reported(from_start),
+                                       whole("N5").reported(from_start),
+                                       whole("N6").reported(from_start),
+                                       number("RPS", 1.0).reported(kept_exactly),
+                                       number("DAMP", 1.0).reported(kept_exactly)};
+inline constexpr CardLayout joint_pairs{whole("N1").always(),
+                                        whole("N2").always(),
+                                        whole("N3").always(),
+                                        whole("N4").always(),
+                                        whole("N5").reported(from_start),
+                                        whole("N6").reported(from_start),
+                                        number("RPS", 1.0).reported(kept_exactly),
+                                        number("DAMP", 1.0).reported(kept_exactly)};
+
 inline constexpr CardLayout part_inertia{
     number("XC"), number("YC"), number("ZC"), number("TM").always(), whole("IRCS").from(0, 1), whole("NODEID")};
 inline constexpr CardLayout part_moments{number("IXX"), number("IXY"), number("IXZ"),
