@@ -78,6 +78,21 @@ Scene ram() {
   return scene;
 }
 
+/// The ram falls on a hinge.
+Scene hinged_ram() {
+  Scene scene = ram();
+  scene.bodies.back().velocity = {};
+  scene.gravities[0].acceleration = {0, 0, -3e5};
+  Joint hinge;
+  hinge.name = "hinge";
+  hinge.kind = JointKind::revolute;
+  hinge.bodies = {"ram", "ground"};
+  hinge.point = {-0.3, 0.1, 0.3};
+  hinge.axis = {0, 1, 0};
+  scene.joints = {hinge};
+  return scene;
+}
+
 struct Case {
   std::string name;
   std::function<Scene()> scene;
@@ -97,6 +112,7 @@ const std::vector<Case>& cases() {
        }},
       {"ties", [] { return tied_blocks(); }},
       {"rigid", [] { return ram(); }},
+      {"joints", [] { return hinged_ram(); }},
   };
   return all;
 }

@@ -149,6 +149,20 @@ TEST(ContactOnRanks, OfRigidBodies) {
   expect_same_on<double>(some_ranks, scene);
 }
 
+/// The hammer on a guide.
+TEST(ContactOnRanks, OfJointedBodies) {
+  Scene scene = with_rigid_bodies(Enforcement::lagrange);
+  scene.bodies[2].velocity = {0, 0, -150};
+  Joint guide;
+  guide.name = "guide";
+  guide.kind = JointKind::translational;
+  guide.bodies = {"hammer", ground};
+  guide.point = Point{0.02, 0.02, 0.06};
+  guide.axis = Point{0, 0, 1};
+  scene.joints = {guide};
+  EXPECT_GT(expect_same_on<double>(some_ranks, scene).pairs, 0);
+}
+
 TEST_F(ChangesOnRanks, WithContactAndTies) { EXPECT_GT(expect_same_on<double>(some_ranks, changing()).pairs, 0); }
 
 TEST_F(ChangesOnRanks, Alone) {

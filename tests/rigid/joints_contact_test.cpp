@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tests/support/saved_state.hpp>
+
 #include "joint_case.hpp"
 
 /// Impacts on jointed bodies against impulsive mechanics: contact knows what else it moves.
@@ -62,17 +64,22 @@ TEST(JointsContact, AHingedBarIsAsHeavyAsAboutItsHinge) {
   }
 }
 
-/// Two bars in a row, each hinged to what is before it, of angular velocities w_1 and w_2. With the cube, which turns
-/// as the second one, (M + M_cube) w = m v (l, r), r being its distance from the second hinge.
-TEST(JointsContact, AChainOfTwoBarsIsMovedAsAWhole) {
+Scene struck_chain(double end) {
   const Point y{0, 1, 0}, first{0, 0, 0.05}, second{1, 0, 0.05};
   Scene scene = struck({block("upper", {10, 3, 1}, 0.1, {0, -0.15, 0}), block("lower", {8, 3, 1}, 0.1, {1, -0.15, 0})},
                        {joint_of(JointKind::revolute, "upper", ground, first, y),
                         joint_of(JointKind::revolute, "upper", "lower", second, y)},
-                       {1.3, -0.1, 0.101}, 2e-3);
+                       {1.3, -0.1, 0.101}, end);
   scene.contact_pairs.emplace_back().first.bodies = {"cube"};
   scene.contact_pairs.back().second.bodies = {"upper", "lower"};
-  Solver<double> solver(scene);
+  return scene;
+}
+
+/// Two bars in a row, each hinged to what is before it, of angular velocities w_1 and w_2. With the cube, which turns
+/// as the second one, (M + M_cube) w = m v (l, r), r being its distance from the second hinge.
+TEST(JointsContact, AChainOfTwoBarsIsMovedAsAWhole) {
+  const Point first{0, 0, 0.05}, second{1, 0, 0.05};
+  Solver<double> solver(struck_chain(2e-3));
   const auto before = solver.rigid().results();
   const double l = 1, d = before[1].centre[0] - 1, m2 = before[1].mass, m = before[2].mass, r = before[2].centre[0] - 1;
   const double m11 = inertia_about(before[0], first) + (m2 + m) * l * l, m12 = m2 * l * d + m * l * r,
@@ -86,6 +93,32 @@ TEST(JointsContact, AChainOfTwoBarsIsMovedAsAWhole) {
   EXPECT_NEAR(after[1].angular_velocity[1], w2, 1e-4 * fastest);
   EXPECT_NEAR(after[2].angular_velocity[1], w2, 1e-4 * fastest);
   EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-3);
+}
+
+/// With friction, and many rows in one system of both.
+TEST(JointsContact, HasTheSameBitsForAnyNumberOfThreadsAndAfterARestart) {
+  const auto scene = [] {
+    Scene fine = struck_chain(4e-3);
+    std::get<BlockMesh>(fine.bodies[1].mesh).elements = {40, 40, 2};
+    std::get<BlockMesh>(fine.bodies[2].mesh).elements = {33, 33, 3};
+    fine.contact_pairs[0].friction = fine.contact_pairs[0].static_friction = 0.2;
+    return fine;
+  };
+  const auto hash_of = [](Solver<double>& solver) {
+    run(solver);
+    return state_hash(solver.model());
+  };
+  Solver<double> one(scene()), first(scene()), second(scene());
+  const std::uint64_t expected = hash_of(one);
+  EXPECT_GT(one.counts().pairs_max(), 1000);
+  while (first.time() < 2e-3) first.step();
+  const StateBytes state = saved(first);
+  EXPECT_EQ(load(second, state), 0U);
+  EXPECT_EQ(hash_of(second), expected);
+  DefaultExecutionSpace::set_concurrency(2);
+  Solver<double> two(scene());
+  EXPECT_EQ(hash_of(two), expected);
+  DefaultExecutionSpace::set_concurrency(1);
 }
 
 /// Three blocks that are locked to each other, met by one plate at once, are moved as one.
