@@ -109,10 +109,11 @@ PINBALL_FUNCTION Float16 lanes_of(const Pack<float, 16>& a) { return static_cast
 /// corners 1, 2, 5 and 6 where the next has 0, 3, 4 and 7: the last of all, and where rows end. Bit i: element i.
 PINBALL_FUNCTION unsigned ends_of_rows(const std::int32_t* corner) {
   const auto equal = [corner](int of, int of_next) {
-    // Of the last element the next number is that of another corner: it does not count.
-    return _mm512_cmpeq_epi32_mask(_mm512_load_si512(corner + 16 * of), _mm512_loadu_si512(corner + 16 * of_next + 1));
+    // The last element's next number is that of another corner, or behind the pack: it is not fetched.
+    const __m512i next = _mm512_maskz_loadu_epi32(0x7fff, corner + 16 * of_next + 1);
+    return _mm512_mask_cmpeq_epi32_mask(0x7fff, _mm512_load_si512(corner + 16 * of), next);
   };
-  return 0xffffu & ~(0x7fffu & equal(1, 0) & equal(2, 3) & equal(5, 4) & equal(6, 7));
+  return 0xffffu & ~unsigned(equal(1, 0) & equal(2, 3) & equal(5, 4) & equal(6, 7));
 }
 inline constexpr int most_ends = 6;  ///< of rows in a pack, for which it pays to fetch rows
 

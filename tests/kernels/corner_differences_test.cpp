@@ -1,3 +1,8 @@
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstring>
+
 #include <kernels/corner_differences.hpp>
 #include <tests/support/support.hpp>
 
@@ -74,6 +79,23 @@ TYPED_TEST(Differences, OfRowsThatBreakAnywhere) {
       this->expect_differences(this->records(0), corner);
     }
   }
+}
+
+/// The last pack of all ends where its numbers do: what lies behind may be nobody's.
+TYPED_TEST(Differences, AskForNoNumberBehindThePack) {
+  const AlignedVector<std::int32_t> corner = this->rows(5);
+  const AlignedVector<double> base = this->records(0);
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE)), bytes = corner.size() * sizeof(std::int32_t);
+  void* const pages = mmap(nullptr, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(pages, MAP_FAILED);
+  char* const end = static_cast<char*>(pages) + page;
+  ASSERT_EQ(mprotect(end, page, PROT_NONE), 0);
+  std::memcpy(end - bytes, corner.data(), bytes);
+  Vec3<TypeParam> value[8];
+  gather_corners<TypeParam, width_of<TypeParam>>(base.data(), reinterpret_cast<const std::int32_t*>(end - bytes),
+                                                 value);
+  munmap(pages, 2 * page);
+  this->expect_differences(base, corner);
 }
 
 TYPED_TEST(Differences, LoseNothingFarFromTheOrigin) {
