@@ -95,12 +95,19 @@ TEST_F(SceneSizeTest, DotsOfTextsAndCommentsAreNoKeys) {
 }
 
 /// As deep as the parser goes, with keys as long as may be.
-TEST_F(SceneSizeTest, DeepTablesAreRead) {
-  std::string text = "x = ";
-  for (int i = 0; i < 250; ++i) text += "{ " + dots(32) + " = ";
-  text += "1";
-  for (int i = 0; i < 250; ++i) text += " }";
-  EXPECT_THAT(error(with(1, text)), HasSubstr("x: unknown key"));
+TEST_F(SceneSizeTest, TablesAreReadToABoundedDepth) {
+  const auto nested = [](int depth, int parts) {
+    std::string text = "x = ";
+    for (int i = 0; i < depth; ++i) text += "{ " + dots(parts) + " = ";
+    text += "1";
+    for (int i = 0; i < depth; ++i) text += " }";
+    return text;
+  };
+  EXPECT_THAT(error(with(1, nested(250, 1))), HasSubstr("x: unknown key"));
+  EXPECT_THAT(error(with(1, nested(8, 32))), HasSubstr("x: unknown key"));
+  const std::string expected = "1:551: expected at most 256 tables and arrays, one in another, got more";
+  EXPECT_THAT(error(with(1, nested(9, 32))), HasSubstr(expected));
+  EXPECT_THAT(error(with(1, nested(250, 32))), HasSubstr(expected));
 }
 
 }  // namespace
