@@ -65,10 +65,10 @@ class RunCounts {
     archive.require(work_.iterations.residual >= 0 && work_.iterations.relative >= 0);
   }
 
- private:
-  /// Beyond what any run counts, and what is added to it does not overflow.
+  /// Beyond what any run counts, and sums of a few of them do not overflow.
   static constexpr std::int64_t most = std::int64_t(1) << 60;
 
+ private:
   WorkCounts work_;
   std::int64_t eroded_elements_ = 0, pairs_ = 0, pairs_max_ = 0;
   struct Deepest {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <solver/base/built_features.hpp>
 #include <solver/base/error.hpp>
 
@@ -105,11 +107,13 @@ void Solver<S>::persist(StateArchive& archive) {
   domain_->state_was_read(model_);
 }
 
-/// What a state says of places where something happened is looked up for messages and for the summary.
+/// What a state says of places where something happened is looked up for messages and for the summary, which multiplies
+/// steps by elements, too.
 template <class S>
 void Solver<S>::check_places(const StateArchive& archive) const {
   archive.require(model_.may_be_place(clock_.limiting_slot()) && model_.may_be_place(inside_out_.first_slot()) &&
-                  counts_.deepest_node() < model_.nodes.count);
+                  counts_.deepest_node() < model_.nodes.count &&
+                  clock_.steps() <= RunCounts::most / std::max<std::int64_t>(1, model_.element_count()));
   for (const Watched kind : {Watched::balance, Watched::hourglass_created, Watched::hourglass_large,
                              Watched::hourglass_plastic, Watched::kinetic_below_zero, Watched::internal_below_zero}) {
     archive.require(model_.may_be_place(watch_.place(kind)));

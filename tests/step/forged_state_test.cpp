@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <random>
@@ -92,6 +93,30 @@ void expect_no_harm(const Scene& scene, int steps, std::vector<std::size_t> to_e
   }
   EXPECT_GT(refused, 0);
   EXPECT_GT(taken, 0);
+}
+
+/// Counts of which sums and products would overflow. Of what is the number of steps none can be taken.
+TEST(ForgedState, StepsThatNoRunMakesAreRefused) {
+  constexpr std::int64_t steps = 37;
+  const Scene scene = scene_of({block("a", {1, 1, 2}, 0.1, {0, 0, 0}, {0, 0, 1})}, 1e-2);
+  StateBytes state;
+  Solver<double> solver(scene);
+  for (std::int64_t step = 0; step < steps; ++step) solver.step();
+  StateArchive::save(state, [&](StateArchive& archive) { solver.persist(archive); });
+  ASSERT_EQ(solver.clock().steps(), steps);
+  int places = 0;
+  for (std::size_t place = 0; place + 8 <= state.size(); ++place) {  // flags take a byte
+    std::int64_t value = 0;
+    std::memcpy(&value, state.data() + place, sizeof value);
+    if (value != steps) continue;
+    ++places;
+    StateBytes forged(state.size());
+    std::memcpy(forged.data(), state.data(), state.size());
+    value = std::int64_t(1) << 60;  // of two elements
+    std::memcpy(forged.data() + place, &value, sizeof value);
+    EXPECT_FALSE(goes_on<double>(scene, forged)) << place;
+  }
+  EXPECT_GT(places, 0);
 }
 
 /// Blocks in impact, of a material that erodes.
