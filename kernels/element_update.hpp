@@ -52,7 +52,7 @@ PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elemen
   ahead(0);
   const EndGeometry<T> end(x, own.mass, own.alive, viscous);
   ahead(1);
-  const MaskOf<T> distorted = may_fold(x, end, own.alive);
+  const MaskOf<T> distorted = may_fold<features.rare_cases>(x, end, own.alive);
   if (!features.rare_cases && any_lane(distorted)) return false;
   const MiddleGeometry<T> middle(x, v, dt, end.volume, own.alive);
   ahead(2);

@@ -114,6 +114,59 @@ TEST(Folding, NoElementWithACornerBelowTheOnsetIsPassedOver) {
   EXPECT_GT(sound, 10000);
 }
 
+/// Boxes of any proportions, stretched and sheared, with modes so large that the bound of their directions is just met:
+/// also such that one corner takes as much as it may from all of its edges.
+TEST(Folding, NoElementWithACornerBelowTwiceTheOnsetIsPassedOverByTheCloserBound) {
+  Random random(3);
+  double least = 1;
+  int passed_over_by_the_other = 0;
+  for (int trial = 0; trial < 100000; ++trial) {
+    HexahedronModes<double> modes{};
+    double edge[3][3];
+    for (int m = 0; m < 3; ++m) {
+      for (int k = 0; k < 3; ++k) edge[m][k] = (m == k ? 1 : 0) + uniform(random, -0.3, 0.3);
+      const double length = std::pow(10, uniform(random, -1, 1));
+      modes.linear[m] = {length * edge[m][0], length * edge[m][1], length * edge[m][2]};
+    }
+    const bool towards_a_corner = trial % 2 == 0;
+    for (int a = 0; a < 4; ++a) {
+      const double own = a < 3 ? 1 : 0.2;  // of the edges: what the two modes of an edge and the fourth take together
+      modes.hourglass[a] = {0, 0, 0};
+      for (int m = 0; m < 3; ++m) {
+        const double part =
+            towards_a_corner ? (m == a ? 0 : -own) + uniform(random, -0.1, 0.1) : uniform(random, -1, 1);
+        modes.hourglass[a] = modes.hourglass[a] + part * modes.linear[m];
+      }
+    }
+    const auto scaled = [&](double factor) {
+      HexahedronModes<double> x = modes;
+      for (Vec3<double>& h : x.hourglass) h = factor * h;
+      return x;
+    };
+    const auto is_open = [](const HexahedronModes<double>& x) {
+      const UniformGradient<double> b = uniform_gradient(x);
+      const double volume = hexahedron_volume(b, x);
+      return volume > 0 && directed_distortion(x, gradient_square(b)) < open_distortion<double> * volume * volume;
+    };
+    double open = 0, closed = 2;
+    for (int i = 0; i < 40; ++i) (is_open(scaled(0.5 * (open + closed))) ? open : closed) = 0.5 * (open + closed);
+    const HexahedronModes<double> x = scaled(open);
+    const UniformGradient<double> b = uniform_gradient(x);
+    const double volume = hexahedron_volume(b, x);
+    Vec3<double> corner[8];
+    Vec3<double> hourglass[4];
+    for (int a = 0; a < 4; ++a) hourglass[a] = 3.0 * x.hourglass[a];  // of places; of forces as they are
+    from_modes(x.linear, hourglass, corner);
+    EXPECT_VECTOR_NEAR(to_modes(corner).hourglass[3], x.hourglass[3], 1e-12);
+    least = std::min(least, least_corner_share(corner, volume));
+    const double bound = sound_distortion<double> * volume * volume;
+    passed_over_by_the_other += largest_distortion(x, largest_principal_value(gradient_square(b))) < bound ? 1 : 0;
+  }
+  EXPECT_GT(least, 2 * 1.001 * folding_onset<double>);
+  EXPECT_LT(least, 0.9);  // the worst are among them
+  EXPECT_LT(passed_over_by_the_other, 20000);
+}
+
 TEST(Folding, ElementsAboveTheOnsetAreLeftAlone) {
   const CornerResistance<double> found = resistance(box(1, 2, 3), box(0.5, 1, 0));
   EXPECT_DOUBLE_EQ(found.worst, 1);
