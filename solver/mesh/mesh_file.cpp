@@ -168,6 +168,7 @@ void keep_used_nodes(MeshFile& file) {
     place[n] = kept++;
   }
   file.mesh.nodes.resize(kept);
+  file.layers.clear();
   if (!file.node_ids.empty()) file.node_ids.resize(kept);
   for (auto& hexahedron : file.mesh.hexahedra) {
     for (std::int32_t& node : hexahedron) node = place[node];

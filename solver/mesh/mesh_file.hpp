@@ -44,6 +44,13 @@ struct MeshPart {
   std::int64_t id = 0;
   std::string name;
   std::size_t ten_nodes = 0;  ///< of its elements in the file: tetrahedra of ten nodes (split_ten_nodes)
+  std::size_t shells = 0;     ///< of its elements: layers in the place of rigid shells
+};
+
+/// What stands for a node of rigid shells, which itself has no element: places in the mesh.
+struct LayerNodes {
+  std::int32_t middle = 0, below = 0, above = 0;
+  std::int32_t part = 0;  ///< place in the parts
 };
 
 /// Of a tetrahedron of ten nodes, those on its edges AB, BC, CA, AD, BD, CD; its corners are those of `element`.
@@ -72,6 +79,7 @@ struct MeshFile {
   std::size_t held_rotations = 0;         ///< nodes whose rotations the file holds, which those of solids do not have
   std::vector<EdgeNodes> edge_nodes;      ///< ascending by elements, until split_ten_nodes has made eight of each
   std::vector<std::int32_t> eights;       ///< the first of each of these eight, ascending
+  std::vector<LayerNodes> layers;         ///< of rigid shells
   std::vector<MeshPart> parts;
   std::vector<MeshSet> node_sets, element_sets;
   std::vector<FaceSet> face_sets;

@@ -61,6 +61,11 @@ inline const std::string standing =
     "*NODE\n" + square_lines(1, 0) + square_lines(5, 1) + square_lines(9, 1) + square_lines(13, 2) + rigid_parts;
 inline const std::string one_inertia = "*PART\nupper\n2,1,1\n*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n";
 inline const std::string no_elastic = "*MAT_ELASTIC\n9,7.85E-9,210000.,0.3\n";
+/// A rigid plate of one shell above both.
+inline const std::string plated =
+    "*NODE\n" + square_lines(1, 0) + square_lines(5, 1) + square_lines(9, 1.5) + square_lines(13, 2.5) +
+    square_lines(17, 4) + "*PART\nlower\n1,1,1\nupper\n2,1,1\nplate\n3,3,2\n*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n";
+inline const std::string plate = "*SECTION_SHELL\n3\n0.1\n";
 inline std::vector<std::string> with_blanks(std::vector<std::string> lines, std::size_t count) {
   lines.resize(lines.size() + count);
   return lines;
@@ -80,6 +85,8 @@ inline std::vector<CardDeck> decks_of_mesh() {
       {"NODE", "", nodes},
       {"ELEMENT_SOLID", "in one line", {"1,1,1,2,3,4,5,6,7,8", "2,2,9,10,11,12,13,14,15,16"}},
       {"ELEMENT_SOLID", "in two lines", {"1,1", "1,2,3,4,5,6,7,8", "2,2", "9,10,11,12,13,14,15,16"}},
+      {"ELEMENT_SHELL", "", {"3,3,17,18,19,20"}, plated + plate, "EID"},
+      {"SECTION_SHELL", "", {"3", "0.1"}, plated + "*ELEMENT_SHELL\n3,3,17,18,19,20\n"},
       {"PART", "", {"lower", "1,1,1", "upper", "2,1,1"}},
       {"PART_CONTACT", "", {"lower", "1,1,1", "", "upper", "2,1,1", ""}, "*PART\n"},
       {"PART_INERTIA",

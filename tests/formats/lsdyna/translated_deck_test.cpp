@@ -256,15 +256,14 @@ TEST_F(Deck, ThatCannotBeDoneIsRefusedInOneMessage) {
             "*MAT_VISCOELASTIC\n7,1\n*SECTION_SHELL\n7\n*CONTROL_UNHEARD_OF\n*CONTROL_UNHEARD_OF\n*CONTROL_TIMESTEP\n0,"
             "0.9,0,0,"
             "0,3\n");
-  EXPECT_EQ(
-      message,
-      "deck.k: cannot be run, for this version has not:\n"
-      "  *ELEMENT_SHELL (3 elements, first in deck.k:20): shells: solids, one or more through the thickness, in their "
-      "place\n"
-      "  *CONTROL_UNHEARD_OF (2 times, first in deck.k:31)\n"
-      "  *MAT_JOINT (deck.k:25): other materials; where no part with solids has it, it is reported and refuses "
-      "nothing\n"
-      "  *CONTROL_TIMESTEP with LCTM (deck.k:34): leave it out: the step is TSSFAC times the stable one");
+  EXPECT_EQ(message,
+            "deck.k: cannot be run, for this version has not:\n"
+            "  *CONTROL_UNHEARD_OF (2 times, first in deck.k:31)\n"
+            "  *MAT_JOINT (deck.k:25): other materials; where no part with solids has it, it is reported and refuses "
+            "nothing\n"
+            "  *ELEMENT_SHELL of parts that deform (3 elements, first in deck.k:20): solids, one or more through the "
+            "thickness, in their place\n"
+            "  *CONTROL_TIMESTEP with LCTM (deck.k:34): leave it out: the step is TSSFAC times the stable one");
   EXPECT_THAT(
       translate(cube + elastic + ends + "*MAT_VISCOELASTIC\n7,1\n*SECTION_SHELL\n7\n*EOS_JWL\n7\n*EOS_GRUNEISEN\n8\n")
           .understood,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <solver/base/counted.hpp>
+#include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
 
 #include "deck_parts.hpp"
 
@@ -17,14 +18,37 @@ bool is_of_own_shape(const DeckPart& part, std::int64_t form) {
   return part.tetrahedra == part.solids && (form == 10 || form == 13);
 }
 
+/// A rigid part of nothing but shells, which has no *SECTION_SOLID.
+bool is_of_shells(const DeckData& data, const DeckPart& part) {
+  const auto own = std::ranges::find(data.mesh.parts, part.id, &MeshPart::id);
+  return static_cast<std::int64_t>(own->shells) == part.solids;
+}
+
+void reject_shells_that_deform(DeckData& data) {
+  for (const KeywordBlock* block : data.blocks_of("ELEMENT_SHELL")) {
+    std::int64_t count = 0;
+    for_each_card(*block, [&](const Card& card) {
+      const DeckPart* part =
+          data.find_part(data.fields(card, layout::shell).integer("PID") + offset_of(*block, &DeckTransform::part));
+      if (part == nullptr || !part->is_rigid()) ++count;
+    });
+    if (count > 0)
+      data.report.reject(block->place, block->star_name() + " of parts that deform",
+                         "solids, one or more through the thickness, in their place", static_cast<int>(count));
+  }
+}
+
 }  // namespace
 
 void translate_parts(DeckData& data, const std::string& mesh_file, std::optional<std::int64_t> chosen_case,
                      DeckScene& scene) {
+  const std::map<std::int64_t, std::int64_t> rigid_form{{0, 1}};
+  reject_shells_that_deform(data);
   for (std::size_t p = 0; p < data.parts.size(); ++p) {
     const DeckPart& part = data.parts[p];
-    const auto form = data.section_form.find(part.section);
-    if (form == data.section_form.end())
+    const bool of_shells = is_of_shells(data, part);
+    const auto form = of_shells ? rigid_form.begin() : data.section_form.find(part.section);
+    if (!of_shells && form == data.section_form.end())
       fail_at(part.place, fmt::format("no *SECTION_SOLID has the number {}", part.section));
     if (part.tetrahedra > 0 && !part.is_rigid()) {
       data.report.understood(fmt::format("part {}: {} tetrahedr{} with volumes averaged over nodes, as ELFORM 13",

@@ -101,6 +101,28 @@ std::map<std::int64_t, RigidVelocity> read_velocities(DeckData& data) {
   return all;
 }
 
+/// Nodes that rigid shells share with solids move with the body of the shells.
+void attach_nodes_of_shells(DeckData& data, DeckScene& scene) {
+  std::map<std::int64_t, std::vector<std::int64_t>> nodes;
+  for (const LayerNodes& layer : data.mesh.layers) {
+    std::vector<std::int64_t>& own = nodes[data.find_part(data.mesh.parts[layer.part].id)->lead];
+    const std::int64_t number = data.mesh.node_ids[layer.middle];
+    if (data.used[layer.middle] && (own.empty() || own.back() != number)) own.push_back(number);
+  }
+  for (auto& [lead, numbers] : nodes) {
+    if (numbers.empty()) continue;
+    const DeckPart& part = *data.find_part(lead);
+    if (data.inertia.contains(lead))
+      data.report.reject(part.place, "shells of a part with *PART_INERTIA that share nodes with solids",
+                         "give the part its mass by its density");
+    std::ranges::sort(numbers);
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    const auto keys = scene.entry<AttachedNodes>("rigid_nodes", {"*ELEMENT_SHELL", part.place});
+    keys.set("rigid_body", part.body);
+    keys.set("nodes", numbers);
+  }
+}
+
 }  // namespace
 
 void translate_rigid_bodies(DeckData& data, DeckScene& scene) {
@@ -141,6 +163,7 @@ void translate_rigid_bodies(DeckData& data, DeckScene& scene) {
                       part.id, inertia->second.card.place.text()));
     }
   }
+  attach_nodes_of_shells(data, scene);
   for (const auto& [number, held] : held_by) {
     if (!held.is_used && held.any())
       data.report.unused(held.place, "*MAT_RIGID: CON1, CON2",

@@ -27,14 +27,22 @@ std::string rigid_text(const DeckData& data, const DeckPart& part) {
                               : fmt::format(", of the rigid body {}", data.find_part(part.lead)->body);
 }
 
+std::string elements_text(const MeshPart& part, std::int64_t elements) {
+  const auto shells = static_cast<std::int64_t>(part.shells);
+  if (shells == 0) return fmt::format("{} solids", elements);
+  if (shells == elements) return fmt::format("{} shells", shells);
+  return fmt::format("{} solids and {} shells", elements - shells, shells);
+}
+
 void describe_mesh(const DeckData& data, DeckReport& report) {
   std::vector<std::int64_t> elements(data.mesh.parts.size(), 0);
   for (const std::int32_t part : data.mesh.part) ++elements[part];
   for (std::size_t p = 0; p < data.mesh.parts.size(); ++p) {
     const DeckPart* part = data.find_part(data.mesh.parts[p].id);
     if (part != nullptr)
-      report.understood(fmt::format("part {}: body {} of {} solids, material mat_{}{}", part->id, part->body,
-                                    elements[p], part->material, rigid_text(data, *part)));
+      report.understood(fmt::format("part {}: body {} of {}, material mat_{}{}", part->id, part->body,
+                                    elements_text(data.mesh.parts[p], elements[p]), part->material,
+                                    rigid_text(data, *part)));
   }
 }
 

@@ -170,6 +170,15 @@ void DeckData::find_rigid_nodes() {
       lead = part->lead;
     }
   }
+  for (const LayerNodes& layer : mesh.layers) {  // their own nodes are of no solid, and joints know them
+    const DeckPart* part = find_part(mesh.parts[layer.part].id);
+    std::int64_t& lead = lead_of_node[layer.middle];
+    if (lead != 0 && lead != part->lead)
+      fail_at(part->place, fmt::format("*PART: the rigid parts {} and {} have nodes in common: merge them by "
+                                       "*CONSTRAINED_RIGID_BODIES",
+                                       lead, part->id));
+    lead = part->lead;
+  }
 }
 
 std::vector<std::string> DeckData::bodies_with(std::int64_t lead) const {

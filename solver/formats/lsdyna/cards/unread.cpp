@@ -29,7 +29,8 @@ void follow_reading(KeywordDeck& deck, ReadingLog& log) {
   for (KeywordBlock& block : deck.blocks) {
     const KeywordRule* rule = rule_of(keyword_alias(block.name));
     const bool is_done = rule != nullptr && (rule->treatment == Treatment::done || rule->treatment == Treatment::mesh);
-    if (is_done && block.name != "NODE" && block.name != "ELEMENT_SOLID") block.log = &log;
+    const bool is_many = block.name == "NODE" || block.name == "ELEMENT_SOLID" || block.name == "ELEMENT_SHELL";
+    if (is_done && !is_many) block.log = &log;
   }
 }
 

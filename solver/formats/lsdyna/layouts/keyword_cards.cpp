@@ -21,6 +21,7 @@ void add_mesh(Table& table) {
   table.push_back({"NODE", "", {&l::node}});
   table.push_back({"ELEMENT_SOLID", "in one line", {&l::solid}});
   table.push_back({"ELEMENT_SOLID", "in two lines", {&l::solid, &l::solid_nodes}});
+  table.push_back({"ELEMENT_SHELL", "", {&l::shell}});
   table.push_back({"PART", "", {title, &l::part}});
   table.push_back({"PART_CONTACT", "", {title, &l::part, &l::part_contact}});
   for (const bool in_system : {false, true}) {
@@ -29,6 +30,7 @@ void add_mesh(Table& table) {
     table.push_back({"PART_INERTIA", in_system ? "IRCS 1" : "IRCS 0", lines});
   }
   table.push_back({"SECTION_SOLID", "", {&l::section_solid}});
+  table.push_back({"SECTION_SHELL", "", {&l::section_shell, &l::shell_thickness}});
   table.push_back({"HOURGLASS", "", {&l::hourglass}});
   table.push_back({"INCLUDE_TRANSFORM",
                    "",

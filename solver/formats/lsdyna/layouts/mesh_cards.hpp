@@ -27,6 +27,17 @@ inline constexpr CardLayout solid_nodes{solid_node("N1"), solid_node("N2"), soli
                                         solid_node("N5"), solid_node("N6"), solid_node("N7"), solid_node("N8"),
                                         solid_node("N9"), solid_node("N10")};
 
+inline constexpr CardLayout shell{whole("EID").always().columns(8),
+                                  whole("PID").always().columns(8),
+                                  solid_node("N1"),
+                                  solid_node("N2"),
+                                  solid_node("N3"),
+                                  solid_node("N4"),
+                                  solid_node("N5"),
+                                  solid_node("N6"),
+                                  solid_node("N7"),
+                                  solid_node("N8")};
+
 inline constexpr CardLayout part{whole("PID").always(),
                                  whole("SECID"),
                                  whole("MID"),
@@ -49,6 +60,25 @@ inline constexpr CardLayout section_solid{whole("SECID").always(),
                                           gap,
                                           number("COHOFF").reported("of cohesive elements"),
                                           number("GASKETT").reported("of gaskets")};
+
+inline constexpr std::string_view of_rigid_shells = "shells are rigid: they have no stress";
+inline constexpr CardLayout section_shell{whole("SECID").always(),
+                                          whole("ELFORM").reported(of_rigid_shells),
+                                          number("SHRF", 1).reported(of_rigid_shells),
+                                          whole("NIP", 2).reported(of_rigid_shells),
+                                          number("PROPT").reported(of_rigid_shells),
+                                          number("QR/IRID").reported(of_rigid_shells),
+                                          whole("ICOMP").reported(of_rigid_shells),
+                                          whole("SETYP", 1).reported(of_rigid_shells)};
+inline constexpr CardLayout shell_thickness{
+    number("T1").of(Dimension::length),
+    number("T2").of(Dimension::length),
+    number("T3").of(Dimension::length),
+    number("T4").of(Dimension::length),
+    number("NLOC").rejected("nodes lie in the middle of a shell: move them there"),
+    number("MAREA").rejected("mass that is no shell's: give it to the density"),
+    number("IDOF").reported(of_rigid_shells),
+    number("EDGSET").reported(of_rigid_shells)};
 
 inline constexpr CardLayout hourglass{whole("HGID").always(),
                                       whole("IHQ"),

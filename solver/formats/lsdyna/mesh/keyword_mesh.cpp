@@ -17,6 +17,7 @@
 #include "keyword_sets.hpp"
 #include "keyword_transformation.hpp"
 #include "part_inertia.hpp"
+#include "rigid_shells.hpp"
 
 namespace pinball {
 
@@ -40,9 +41,11 @@ class KeywordMeshReader {
       if (block.name == "ELEMENT_SOLID") read_solids(block);
     }
     check_element_numbers();
+    add_shell_layers(RigidShells(deck_, file_, nodes_).read(), file_);
     if (!file_.held.empty()) file_.held.resize(file_.node_ids.size(), 0);
     KeywordSets(deck_, file_, nodes_).read();
     read_keyword_segments(deck_, nodes_, file_);
+    put_layers_into_sets(file_);
     split_ten_nodes(file_);
     return std::move(file_);
   }
