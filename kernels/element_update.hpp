@@ -98,7 +98,7 @@ PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elemen
   failed = failed || limits_exceeded<features>(constants, numbers, law.motion, stress, stable_rate, step.time);
   const ElementFailure<T> failure =
       find_failure<features>(constants.failure, own.alive, end, middle, plastic_strain, failed, inside_out);
-  if (features.erosion && failure.any) let_go(failure, own, stress, hourglass, viscosity, sums);
+  if (features.erosion && failure.any) let_go(failure, own, stress, plastic_strain, hourglass, viscosity, sums);
   if (any_lane(failure.inverted)) sums.inverted_count += count_lanes(failure.inverted);
   if (any_distorted) sums.inside_out_count += count_lanes(inside_out && !failure.fails);
   ahead(6);

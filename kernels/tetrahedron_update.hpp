@@ -64,7 +64,7 @@ PINBALL_FUNCTION void update_tetrahedron_pack(const ElementView<ScalarOf<T>>& el
   failed = failed || limits_exceeded<features>(constants, numbers, law.motion, stress, stable_rate, step.time);
   const ElementFailure<T> failure = find_failure<features>(constants.failure, own.alive, end, middle, plastic_strain,
                                                            failed, own.alive && !middle.has_volume);
-  if (features.erosion && failure.any) let_go(failure, own, stress, hourglass, viscosity, sums);
+  if (features.erosion && failure.any) let_go(failure, own, stress, plastic_strain, hourglass, viscosity, sums);
   if (any_lane(failure.inverted)) sums.inverted_count += count_lanes(failure.inverted);
 
   own.set(elements.plastic_strain, plastic_strain);

@@ -89,14 +89,17 @@ PINBALL_FUNCTION ElementFailure<T> find_failure(const FailureConstants<ScalarOf<
   return failure;
 }
 
-/// Takes from elements that fail what they carry.
+/// Takes from elements that fail what they carry, and their plastic strain, which would be gone in the next step where
+/// others of their pack live.
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION void let_go(const ElementFailure<T>& failure, const ElementPack<T, L>& own, Symmetric<T>& stress,
-                             HourglassStep<T, features>& hourglass, ViscousStep<T>& viscosity, ElementSums<T>& sums) {
+                             T& plastic_strain, HourglassStep<T, features>& hourglass, ViscousStep<T>& viscosity,
+                             ElementSums<T>& sums) {
   const MaskOf<T>& fails = failure.fails;
   sums.eroded_count += count_lanes(fails);
   own.set(own.arrays.mass, select(fails, T(0), own.mass));
   stress = select(fails, Symmetric<T>{T(0), T(0), T(0), T(0), T(0), T(0)}, stress);
+  plastic_strain = select(fails, T(0), plastic_strain);
   hourglass.let_go(own, fails);
   viscosity.let_go(fails);
 }

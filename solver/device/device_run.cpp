@@ -281,8 +281,6 @@ void DeviceRun<S>::show_watched(std::span<const std::int32_t> nodes, std::span<c
   };
   bring(StateNumbers::position, numbers, [&](std::size_t i, S x) { model_.nodes.position[numbers[i]] = x; });
   bring(StateNumbers::velocity, numbers, [&](std::size_t i, S v) { model_.nodes.velocity[numbers[i]] = v; });
-  Array<S>& mass = model_.elements.mass.template in<S>();
-  bring(StateNumbers::mass, places, [&](std::size_t i, S value) { mass[slots[i]] = value; });
   Array<S>& stress = model_.elements.stress.template in<S>();
   bring(StateNumbers::stress, components,
         [&](std::size_t i, S value) { stress[model_.elements.at(slots[i / 6], static_cast<int>(i % 6), 6)] = value; });

@@ -15,7 +15,7 @@
 
 namespace pinball {
 
-enum class StateNumbers { position, velocity, mass, stress, plastic_strain };
+enum class StateNumbers { position, velocity, stress, plastic_strain };
 
 /// The loops of a step whose arrays lie in the memory of an execution space. Between two calls nothing but what they
 /// return crosses over; the state does when it is asked for.

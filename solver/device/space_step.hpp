@@ -232,8 +232,6 @@ class SpaceStep final : public DeviceStep<S> {
         return state_.position;
       case StateNumbers::velocity:
         return state_.velocity;
-      case StateNumbers::mass:
-        return state_.mass;
       case StateNumbers::stress:
         return state_.stress;
       case StateNumbers::plastic_strain:

@@ -76,7 +76,7 @@ class StepSpace {
   virtual std::vector<BodySum> body_sums() = 0;
   /// What the elements of each body did in the last update, where output.body_energies asks for it.
   virtual std::vector<ElementWork> work_of_bodies() = 0;
-  /// Brings the motion of some nodes, and masses, stresses and plastic strains of some slots, up to date in the model.
+  /// Brings the motion of some nodes, and stresses and plastic strains of some slots, up to date in the model.
   virtual void show_watched(std::span<const std::int32_t> nodes, std::span<const std::int64_t> slots) = 0;
 
   // ---- Between steps: the whole state ----

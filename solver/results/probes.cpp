@@ -102,8 +102,7 @@ void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_
     const std::int64_t slot = model.slot_of_element[w.number];
     for (int c = 0; c < 6; ++c) stress[c] = model.elements.stress_of(slot, c);
     const auto& strains = model.elements.plastic_strain;
-    // What an eroded element keeps depends on those beside it in its pack.
-    if (!strains.empty() && model.elements.alive(slot)) plastic_strain = strains[slot];
+    if (!strains.empty()) plastic_strain = strains[slot];
   } else {
     node = model.node_of_scene_node[w.number];
   }

@@ -58,7 +58,7 @@ ProgressState progress_state(const Solver<S>& solver) {
           solver.contact() != nullptr ? solver.counts().pairs() : -1};
 }
 
-/// Temperatures and damage, where any material has them.
+/// Temperatures and damage, where any material has them; of eroded elements those at rest.
 template <class S>
 void take_material_numbers(const Model<S>& model, FieldSnapshot& s) {
   const auto take = [&](std::vector<double>& field, int MaterialPlaces::*kept, const auto& at_rest) {
@@ -123,8 +123,7 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
   for (std::size_t e = 0; e < elements; ++e) {
     const std::int64_t slot = model.slot_of_element[e];
     for (int c = 0; c < 6; ++c) s.stress[e][c] = model.elements.stress_of(slot, c);
-    // What an eroded element keeps depends on those beside it in its pack.
-    if (!model.elements.plastic_strain.empty() && model.elements.alive(slot)) {
+    if (!model.elements.plastic_strain.empty()) {
       s.plastic_strain[e] = model.elements.plastic_strain[slot];
     }
     s.alive[e] = model.elements.alive(slot) ? 1 : 0;
