@@ -289,7 +289,7 @@ void DeviceRun<S>::show_watched(std::span<const std::int32_t> nodes, std::span<c
 
 template <class S>
 std::size_t DeviceRun<S>::bytes() const {
-  return step_->bytes() + state_.bytes();
+  return step_->bytes() + state_.bytes() + common_->bytes();
 }
 
 template class DeviceRun<double>;
