@@ -27,16 +27,7 @@ inline constexpr CardLayout solid_nodes{solid_node("N1"), solid_node("N2"), soli
                                         solid_node("N5"), solid_node("N6"), solid_node("N7"), solid_node("N8"),
                                         solid_node("N9"), solid_node("N10")};
 
-inline constexpr CardLayout shell{whole("EID").always().columns(8),
-                                  whole("PID").always().columns(8),
-                                  solid_node("N1"),
-                                  solid_node("N2"),
-                                  solid_node("N3"),
-                                  solid_node("N4"),
-                                  solid_node("N5"),
-                                  solid_node("N6"),
-                                  solid_node("N7"),
-                                  solid_node("N8")};
+inline constexpr CardLayout shell = solid;  ///< of four nodes, and of eight
 
 inline constexpr CardLayout part{whole("PID").always(),
                                  whole("SECID"),
