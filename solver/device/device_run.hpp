@@ -55,7 +55,10 @@ class DeviceRun final : public StepSpace<S> {
 
   void bring_back() override;
   void bring_back_resting() override;
-  void host_has_changed() override { host_is_newer_ = true; }
+  void host_has_changed() override {
+    host_is_newer_ = true;
+    knows_resting_ = false;  // what rested may have been changed
+  }
   std::size_t bytes() const override;
 
  private:

@@ -23,7 +23,7 @@ Array<S>& Solver<S>::change_velocities() {
   if (subcycling() != nullptr) {
     throw InputError("velocities: expected time.subcycling = false, with it they cannot be changed");
   }
-  if (!kinetic_before_change_) kinetic_before_change_ = kinetic_energy(model_);
+  if (!kinetic_before_change_) kinetic_before_change_ = kinetic_energy(model());
   return change_model().nodes.velocity;
 }
 

@@ -198,6 +198,37 @@ TEST_P(DeviceRun, TakesChangesOfTheHostBetweenSteps) {
   EXPECT_NEAR(device.momentum()[0], moved, 1e-9 * moved);
 }
 
+/// Also where nobody has read the state before, of which work is the difference.
+TEST_P(DeviceRun, CountsTheWorkOfWhoChangesVelocities) {
+  Scene on_device = flying_bar();
+  on_device.device = GetParam();
+  Solver<double> host(flying_bar()), device(on_device);
+  for (Solver<double>* solver : {&host, &device}) {
+    for (int i = 0; i < 30; ++i) solver->step();
+    solver->change_velocities()[4 * 100] += 50;
+    solver->step();
+  }
+  EXPECT_GT(std::abs(host.energies().external), 0);
+  EXPECT_NEAR(device.energies().external, host.energies().external, 1e-9 * std::abs(host.energies().external));
+}
+
+/// What rested before stresses were changed does not rest in what is saved after it.
+TEST_P(DeviceRun, SavesNoTilesAtRestThatWereChanged) {
+  Scene scene = flying_bar();
+  scene.device = GetParam();
+  const auto hash = [&scene](bool saves) {
+    Solver<double> solver(scene);
+    for (int i = 0; i < 5; ++i) solver.step();
+    EXPECT_GT(solver.counts().work().resting_element_steps, 0);
+    Array<double>& stress = solver.change_model().elements.stress.in<double>();
+    for (std::size_t i = 0; i < stress.size(); i += 5) stress[i] += 1e6;
+    if (saves) test::saved(solver);
+    for (int i = 0; i < 5; ++i) solver.step();
+    return state_hash(solver.model());
+  };
+  EXPECT_EQ(hash(true), hash(false));
+}
+
 /// The state is copied for who reads it, and for nobody else: a line of progress must not cost a copy of all of it.
 TEST_P(DeviceRun, BringsTheStateBackForWhoReadsItAlone) {
   Scene scene = torn_block();
