@@ -32,6 +32,7 @@ class Convergence:
     bands: npt.NDArray[Any]  # (q, 2) in which the answer of such elements is expected
     verdicts: list[str]  # "converges", "oscillates", ...; empty: too few meshes
     moved_by: dict[str, npt.NDArray[Any]]  # (q,) by "mesh", "time step", "float", "chance", ...
+    together: npt.NDArray[Any]  # (q,) what all sources together may move the value of their mesh by
     runs: list[str]  # "mesh 2", "mesh 1, float"
     run_seconds: npt.NDArray[Any]  # (r,) [s]
     run_bytes: npt.NDArray[Any]  # (r,)
@@ -74,6 +75,7 @@ def from_table(table: Mapping[str, Any]) -> Convergence:
         bands=np.array([numbers(q.get("band") or [None, None]) for q in quantities]).reshape(len(quantities), 2),
         verdicts=[q["verdict"] or "" for q in quantities],
         moved_by={name: numbers([q["moved_by"][name] for q in quantities]) for name in sources},
+        together=numbers([q.get("together") for q in quantities]),
         runs=[point["settings"] for point in points],
         run_seconds=numbers([point["seconds"] for point in points]),
         run_bytes=numbers([point["bytes"] for point in points]),

@@ -192,12 +192,12 @@ void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) 
       .add_option(
           "--meshes", options.meshes,
           "K1,K2,K3,...: what multiplies the element counts, fractions such as 1/2; 1, 2, 4, ... of meshes of files "
-          "(default: 1,2,4 with these, 1/2,1,2 where all counts can be halved, else 1,2,3)")
+          "(default: 1/2,1,2 where all counts can be halved, else 1,2,4)")
       ->check(check_not_empty);
   repeated(command.add_option(
                "--only", options.only,
                "leaves out what else may move a number (default: all of mesh, step, precision, hourglass, chance)"))
-      ->check(CLI::IsMember({"mesh", "step", "precision", "hourglass", "chance"}));
+      ->check(CLI::IsMember({"mesh", "step", "precision", "hourglass", "contact", "chance"}));
   command.remove_option(command.get_option("--refine"));
   repeated(command.add_option("--refine", options.refine,
                               "K: multiplies the element counts of generated meshes; BODY=K: says what K times as many "

@@ -104,8 +104,9 @@ class StudyPage(ViewerPages):
         cells = [cell.text for cell in self.all("#band_table tbody tr th, #band_table tbody tr td")]
         self.assertEqual(cells[0], "upper_velocity_z [m/s]")
         self.assertAlmostEqual(number(cells[1]), band["value"], delta=1e-4)
-        self.assertAlmostEqual(number(cells[2].split(" to ")[0]), band["low"], delta=1e-4)
-        self.assertEqual(cells[4], band["verdict"])
+        self.assertAlmostEqual(number(cells[2]), band["error"], delta=0.06 * band["error"])
+        self.assertAlmostEqual(number(cells[3].split(" to ")[0]), band["low"], delta=1e-4)
+        self.assertEqual(cells[5], band["verdict"])
 
     def assert_points_are_inside(self):
         """Points of a plot lie in it, and no two of a curve at one place."""

@@ -193,12 +193,14 @@ TEST_F(Converge, KeptBandsAreInTheResultsOfTheSceneAlone) {
   const Json velocity = of(json(), "bar_velocity_z");
   ASSERT_TRUE(of(json(), "energy.internal")["band"].is_null());  // has none to show
 
-  EXPECT_THAT(run_scene(""), HasSubstr("  bar_velocity_z [mm/ms]: 8.09133, with finer meshes 8.03234 .. 8.65211\n"));
+  EXPECT_THAT(run_scene(""),
+              HasSubstr("  bar_velocity_z [mm/ms]: 8.09133 +- 0.99, with finer meshes 7.59851 .. 9.08594\n"));
   const Json after = summary();
   ASSERT_EQ(after["converged"].size(), 1);
   EXPECT_EQ(after["converged"][0]["name"], "bar_velocity_z");
   EXPECT_EQ(after["converged"][0]["value"], velocity["values"][1]);
   EXPECT_EQ(after["converged"][0]["value"], read_run_results(folder).value("bar_velocity_z"));
+  EXPECT_EQ(after["converged"][0]["error"], velocity["together"]);
   EXPECT_EQ(after["converged"][0]["low"], velocity["band"][0]);
   EXPECT_EQ(after["converged"][0]["high"], velocity["band"][1]);
   EXPECT_EQ(after["state_hash"], before["state_hash"]);

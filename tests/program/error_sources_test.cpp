@@ -6,6 +6,7 @@
 #include <solver/program/study/convergence_report.hpp>
 #include <solver/program/study/error_sources.hpp>
 #include <solver/program/study/sources_report.hpp>
+#include <solver/scene_rules.hpp>
 #include <tests/support/error_of.hpp>
 
 namespace pinball::error_sources_test {
@@ -41,6 +42,27 @@ TEST(ErrorSources, EachChangesItsOwnAlone) {
   EXPECT_DOUBLE_EQ(all[4].scenes[0].bodies[0].velocity_noise, 5e-9);
   EXPECT_DOUBLE_EQ(all[4].scenes[1].bodies[1].velocity_noise, 10e-9);
   EXPECT_TRUE(vary_sources(scene, {}, 2).empty());
+}
+
+TEST(ErrorSources, ContactIsThatOfTheDefaultsAndASlideline) {
+  Scene scene = scene_at_speed(-5);
+  const auto names = [&scene](ContactMethod method, Enforcement enforcement, ContactGap gap) {
+    scene.contact.method = method;
+    scene.contact.enforcement = enforcement;
+    scene.contact.gap = gap;
+    complete(scene.contact);
+    std::vector<std::string> found;
+    for (const SourceVariation& other : vary_sources(scene, {ErrorSource::contact}, 1)) found.push_back(other.name);
+    return found;
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(names(ContactMethod::pinball, Enforcement::penalty, ContactGap::pinball),
+              ElementsAre("contact faces", "contact slideline"));
+  EXPECT_THAT(names(ContactMethod::pinball, Enforcement::lagrange, ContactGap::face), ElementsAre("contact slideline"));
+  EXPECT_THAT(names(ContactMethod::slideline, Enforcement::lagrange, ContactGap::face), ElementsAre("contact faces"));
+  const Scene faces = vary_sources(scene, {ErrorSource::contact}, 1)[0].scenes[0];
+  EXPECT_EQ(faces.contact.method, ContactMethod::pinball);
+  EXPECT_EQ(faces.contact.gap, ContactGap::face);
 }
 
 TEST(ErrorSources, BodiesAreRefinedApart) {
@@ -188,6 +210,30 @@ TEST(SourcesReport, NamesTheLargest) {
   EXPECT_EQ(largest(spread), "time step");
   spread.quantities[0].scale = 1.1e6;  // a component that is small beside the others
   EXPECT_EQ(largest(spread), "");
+}
+
+/// The mesh by 2, from 10 to 12, and what each of the others is worst in, chance by two deviations.
+TEST(SourcesReport, AddsUpTheErrorsOfAllSources) {
+  const auto together = [](const ConvergenceStudy& study) { return error_together(study, study.quantities[0]); };
+  ConvergenceStudy study = study_with(-1, 0.5);
+  EXPECT_EQ(together(study), 2 + 1 + 2 * 0.5);
+  const auto add = [&study](ErrorSource source, const std::string& name, std::optional<double> moved) {
+    study.sources.push_back({source, name, "", {}});
+    study.quantities[0].moved.push_back(moved);
+  };
+  add(ErrorSource::hourglass, "hourglass viscous", 0.25);
+  add(ErrorSource::hourglass, "hourglass stiffness", -0.5);
+  add(ErrorSource::contact, "contact slideline", 0.125);
+  add(ErrorSource::contact, "contact faces", std::nullopt);  // its run failed
+  add(ErrorSource::body, "rod 2 times finer", 7);            // part of the mesh
+  EXPECT_EQ(together(study), 4 + 0.5 + 0.125);
+  add(ErrorSource::precision, "float", 64);  // of a run in double, which has not that error
+  EXPECT_EQ(together(study), 4 + 0.5 + 0.125);
+  study.sources.back().name = "double";
+  EXPECT_EQ(together(study), 4 + 0.5 + 0.125 + 64);
+  EXPECT_THAT(sources_text(study), HasSubstr("together"));
+  study.quantities[0].convergence->verdict = Convergence::oscillating;
+  EXPECT_FALSE(together(study));
 }
 
 TEST(SourcesReport, SaysWhereChanceIsMoreThanTheMesh) {

@@ -98,7 +98,7 @@ TEST(MeshFactor, NamesWhatItDoesNotLeaveWholeOrEven) {
 TEST(MeshFactor, HalvesWhereAllCountsAllowIt) {
   EXPECT_EQ(default_mesh_factors(scene_of(BlockMesh{{1, 1, 1}, {4, 6, 2}, {}})).front(), (MeshFactor{1, 2}));
   EXPECT_THAT(default_mesh_factors(scene_of(BlockMesh{{1, 1, 1}, {4, 6, 1}, {}})),
-              ElementsAre(MeshFactor{1, 1}, MeshFactor{2, 1}, MeshFactor{3, 1}));
+              ElementsAre(MeshFactor{1, 1}, MeshFactor{2, 1}, MeshFactor{4, 1}));
 }
 
 TEST(MeshFactor, RefusesWhatIsAnotherProblemOnAnotherMesh) {

@@ -44,6 +44,7 @@ class Converge(unittest.TestCase):
         for i, quantity in enumerate(table["quantities"]):
             np.testing.assert_array_equal(study.values[i], quantity["values"])
             self.assertEqual(study.verdicts[i], quantity["verdict"])
+            np.testing.assert_equal(study.together[i], np.nan if quantity["together"] is None else quantity["together"])
             if quantity["band"] is None:
                 self.assertTrue(np.isnan(study.bands[i]).all() and np.isnan(study.extrapolated[i]) and np.isnan(study.errors[i]).all())
             else:

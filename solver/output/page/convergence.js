@@ -90,8 +90,8 @@ function sources() {
   if (study.sources.length === 0) return place('sources').hidden = true;
   const names = study.sources.map(({name}) => name);
   fill('sources', table({caption: `On mesh ${study.sources_mesh}: value with each less the value without; of chance the standard deviation`, id: 'source_table',
-    head: ['quantity', 'mesh', ...names, 'largest'], numbers: [1, ...names.map((_, i) => i + 2)],
-    rows: study.quantities.map((q) => [nameOf(q), ...['mesh', ...names].map((name) => figure(q.moved_by[name], 3)), q.largest_source])}),
+    head: ['quantity', 'mesh', ...names, 'together', 'largest'], numbers: [1, ...names.map((_, i) => i + 2), names.length + 2],
+    rows: study.quantities.map((q) => [nameOf(q), ...['mesh', ...names].map((name) => figure(q.moved_by[name], 3)), figure(q.together, 3), q.largest_source])}),
     ...study.quantities.filter((q) => q.refine).map((q) => make('p', {text: `${q.name}: ${q.refine}`})),
     make('ul', {class: 'note'}, ...study.sources.map(({name, what}) => make('li', {text: `${name}: ${what}`}))));
 }

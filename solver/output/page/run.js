@@ -62,9 +62,9 @@ function converged() {
   if (!bands || bands.length === 0) return;
   place('bands').hidden = false;
   fill('bands', make('p', {class: 'note', text: 'This scene was run on finer and coarser meshes: where the answer of elements of no size is expected.'}),
-    table({caption: 'Values of this run with their bands', id: 'band_table', numbers: [1, 2, 3],
-      head: ['quantity', 'this run', 'band', 'extrapolated', 'on finer meshes it'],
-      rows: bands.map((q) => [named(q.name, raised(q.unit)), figure(q.value, 6), `${figure(q.low, 6)} to ${figure(q.high, 6)}`,
+    table({caption: 'Values of this run with their bands', id: 'band_table', numbers: [1, 2, 3, 4],
+      head: ['quantity', 'this run', 'errs by at most', 'band', 'extrapolated', 'on finer meshes it'],
+      rows: bands.map((q) => [named(q.name, raised(q.unit)), figure(q.value, 6), figure(q.error, 2), `${figure(q.low, 6)} to ${figure(q.high, 6)}`,
         figure(q.extrapolated, 6), q.verdict])}));
 }
 

@@ -36,6 +36,7 @@ std::vector<ErrorSource> sources_of(const std::vector<std::string>& only) {
   for (const auto& [name, source] : {std::pair{"step", ErrorSource::step},
                                      {"precision", ErrorSource::precision},
                                      {"hourglass", ErrorSource::hourglass},
+                                     {"contact", ErrorSource::contact},
                                      {"chance", ErrorSource::chance}}) {
     if (only.empty() || std::find(only.begin(), only.end(), name) != only.end()) sources.push_back(source);
   }

@@ -102,6 +102,7 @@ OrderedJson quantity_json(const ConvergenceStudy& study, const StudyQuantity& qu
   if (quantity.convergence) {
     add_convergence_json(*quantity.convergence, json);
     json["own_error"] = number_or_null(own_error(study, quantity));
+    json["together"] = number_or_null(error_together(study, quantity));
   }
   if (!study.sources.empty()) add_sources_json(study, quantity, json);
   return json;

@@ -124,7 +124,7 @@ std::string verdict_word(const StudyQuantity& quantity) {
     case Convergence::constant:
       return "constant";
     case Convergence::monotone:
-      return quantity.convergence->safety_factor > 2 ? "converges, not in order yet" : "converges";
+      return quantity.convergence->order_is_bounded() ? "converges, not in order yet" : "converges";
     case Convergence::oscillating:
       return "oscillates";
     case Convergence::diverging:

@@ -9,6 +9,7 @@
 #include <solver/base/error.hpp>
 #include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/scene/schema/choices.hpp>
+#include <solver/scene_rules.hpp>
 
 #include "mesh_factor.hpp"
 
@@ -86,6 +87,27 @@ void add_hourglass(const Scene& scene, std::vector<SourceVariation>& variations)
   }
 }
 
+void add_contact(const Scene& scene, std::vector<SourceVariation>& variations) {
+  const ContactSettings& own = scene.contact;
+  const auto add = [&](const char* name, const char* what, const char* folder, const ContactSettings& contact) {
+    if (problem_of(contact)) return;
+    Scene other = scene;
+    other.contact = contact;
+    variations.push_back({ErrorSource::contact, name, what, folder, {other}});
+  };
+  ContactSettings faces = own, slideline = own;
+  faces.method = ContactMethod::pinball;
+  faces.enforcement = Enforcement::lagrange;
+  faces.gap = ContactGap::face;
+  slideline.method = ContactMethod::slideline;
+  const bool is_slideline = own.method == ContactMethod::slideline;
+  if (is_slideline || own.enforcement != faces.enforcement || own.gap != faces.gap) {
+    add("contact faces", R"(contact.method = "pinball", enforcement = "lagrange", gap = "face")", "contact_faces",
+        faces);
+  }
+  if (!is_slideline) add("contact slideline", R"(contact.method = "slideline")", "contact_slideline", slideline);
+}
+
 void scale(Point& vector, double factor) {
   for (double& component : vector) component *= factor;
 }
@@ -138,6 +160,7 @@ std::vector<SourceVariation> vary_sources(const Scene& scene, const std::vector<
   if (asked(ErrorSource::step)) variations.push_back(half_step(scene));
   if (asked(ErrorSource::precision)) variations.push_back(other_precision(scene));
   if (asked(ErrorSource::hourglass)) add_hourglass(scene, variations);
+  if (asked(ErrorSource::contact)) add_contact(scene, variations);
   if (asked(ErrorSource::chance)) variations.push_back(by_chance(scene, ensemble));
   return variations;
 }

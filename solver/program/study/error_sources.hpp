@@ -8,7 +8,7 @@
 namespace pinball {
 
 /// What may move a number beside the mesh.
-enum class ErrorSource { step, precision, hourglass, chance, body };
+enum class ErrorSource { step, precision, hourglass, contact, chance, body };
 
 /// Runs of one scene that say what a source does.
 struct SourceVariation {
@@ -20,9 +20,10 @@ struct SourceVariation {
 };
 
 /// The scene with half the step (and half of time.smallest_step, so that masses stay), in the other precision, with
-/// each other hourglass control, and `ensemble` times with initial velocities that differ by parts of 1e-9 (of single
-/// precision: 1e-5), the k-th by k such parts: noise on all nodes, of the largest speed that the scene gives, or of a
-/// thousandth of the speed of waves where all is at rest; what is given to some nodes is multiplied.
+/// each other hourglass control, with the contact of the defaults and a slideline where it has another and its friction
+/// allows them, and `ensemble` times with initial velocities that differ by parts of 1e-9 (of single precision: 1e-5),
+/// the k-th by k such parts: noise on all nodes, of the largest speed that the scene gives, or of a thousandth of the
+/// speed of waves where all is at rest; what is given to some nodes is multiplied.
 std::vector<SourceVariation> vary_sources(const Scene& scene, const std::vector<ErrorSource>& sources, int ensemble);
 
 /// A body that has more elements alone, so many times in each direction.

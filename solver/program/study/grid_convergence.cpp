@@ -10,7 +10,7 @@ namespace pinball {
 namespace {
 
 constexpr double least_order = 0.5, largest_root = 60;
-constexpr double above_formal = 1.05;  ///< part of the formal order up to which an observed one is not out of reason
+constexpr double below_formal = 0.9, above_formal = 1.05;  ///< parts of the formal order between which one is that
 
 /// Ratios of the sizes of neighbours, and differences of their values, of the three finest meshes.
 struct Triplet {
@@ -49,13 +49,13 @@ Triplet triplet_of(const std::vector<MeshValue>& values, double nothing) {
 
 void add_band(GridConvergence& result, const Triplet& t, double fine, double formal_order) {
   const double observed = *result.observed_order;
-  const bool reasonable = observed >= least_order && observed <= above_formal * formal_order;
-  result.order = reasonable ? observed : std::clamp(observed, least_order, formal_order);
-  result.safety_factor = reasonable ? 1.25 : 3;
+  const double largest = above_formal * formal_order;
+  result.order = observed <= largest ? std::max(observed, least_order) : formal_order;
+  result.safety_factor = observed >= below_formal * formal_order && observed <= largest ? 1.25 : 3;
   const double grown = std::expm1(result.order * std::log(t.r21));
   result.extrapolated = fine - t.e21 / grown;
   double half = result.safety_factor * std::abs(t.e21) / grown;
-  if (observed > above_formal * formal_order) {
+  if (observed > largest) {
     const double of_coarser = std::abs(t.e32) / std::expm1(formal_order * std::log(t.r32));
     half = std::max(half, result.safety_factor * of_coarser / std::pow(t.r21, formal_order));
   }

@@ -175,9 +175,9 @@ std::vector<MeshFactor> parse_mesh_factors(const std::string& text) {
 }
 
 std::vector<MeshFactor> default_mesh_factors(const Scene& scene) {
-  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_of_file)) return {{1, 1}, {2, 1}, {4, 1}};
-  if (can_be_refined(scene, {1, 2})) return {{1, 2}, {1, 1}, {2, 1}};
-  return {{1, 1}, {2, 1}, {3, 1}};
+  const bool any_of_file = std::any_of(scene.bodies.begin(), scene.bodies.end(), is_of_file);
+  if (!any_of_file && can_be_refined(scene, {1, 2})) return {{1, 2}, {1, 1}, {2, 1}};
+  return {{1, 1}, {2, 1}, {4, 1}};
 }
 
 void require_refinable(const Scene& scene) {

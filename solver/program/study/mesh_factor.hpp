@@ -22,8 +22,8 @@ struct MeshFactor {
 /// else than positive fractions.
 std::vector<MeshFactor> parse_mesh_factors(const std::string& text);
 
-/// Those of a scene whose user names none: 1, 2, 4 with a mesh of a file; 1/2, 1, 2 where all numbers of elements can
-/// be halved, else 1, 2, 3.
+/// Those of a scene whose user names none, in a constant ratio: 1/2, 1, 2 where all numbers of elements can be halved,
+/// else 1, 2, 4, as with a mesh of a file.
 std::vector<MeshFactor> default_mesh_factors(const Scene& scene);
 
 /// Throws InputError that names the key where meshes of other sizes would not be those of the same problem: time.steps,

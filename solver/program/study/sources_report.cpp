@@ -7,6 +7,7 @@
 #include <map>
 
 #include <solver/program/text_table.hpp>
+#include <solver/scene/schema/choices.hpp>
 
 #include "convergence_report.hpp"
 
@@ -65,6 +66,22 @@ std::optional<double> error_of_mesh(const ConvergenceStudy& study, const StudyQu
   const GridConvergence& c = *quantity.convergence;
   if (!c.has_band()) return c.high - c.low;
   return std::max(std::abs(*value - c.low), std::abs(*value - c.high));
+}
+
+std::optional<double> error_together(const ConvergenceStudy& study, const StudyQuantity& quantity) {
+  const auto of_mesh = error_of_mesh(study, quantity);
+  if (!of_mesh || !quantity.convergence->has_band()) return std::nullopt;
+  std::map<ErrorSource, double> largest;
+  for (std::size_t s = 0; s < study.sources.size(); ++s) {
+    const StudySource& source = study.sources[s];
+    const bool is_worse = source.source == ErrorSource::precision && source.name != schema::name_of(Precision::float64);
+    if (!quantity.moved[s] || source.source == ErrorSource::body || is_worse) continue;
+    const double deviations = source.source == ErrorSource::chance ? 2 : 1;
+    largest[source.source] = std::max(largest[source.source], deviations * std::abs(*quantity.moved[s]));
+  }
+  double sum = *of_mesh;
+  for (const auto& [source, size] : largest) sum += size;
+  return sum;
 }
 
 std::string largest_source(const ConvergenceStudy& study, const StudyQuantity& quantity) {
@@ -127,11 +144,14 @@ std::string sources_text(const ConvergenceStudy& study) {
     lines.front().push_back(source.name);
     align.push_back(Align::right);
   }
+  lines.front().emplace_back("together");
+  align.push_back(Align::right);
   lines.front().emplace_back("largest");
   align.push_back(Align::left);
   for (const StudyQuantity& quantity : study.quantities) {
     lines.push_back({named_with_unit(quantity), number_cell(error_of_mesh(study, quantity), "{:.3g}")});
     for (const auto& moved : quantity.moved) lines.back().push_back(number_cell(moved, "{:.3g}"));
+    lines.back().push_back(number_cell(error_together(study, quantity), "{:.3g}"));
     lines.back().push_back(largest_source(study, quantity));
   }
   return fmt::format("on mesh {}:\n{}{}{}", study.meshes[study.sources_mesh].factor.text(), text_table(lines, align),

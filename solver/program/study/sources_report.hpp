@@ -12,6 +12,12 @@ namespace pinball {
 /// converges the spread. None: too few meshes have a value.
 std::optional<double> error_of_mesh(const ConvergenceStudy& study, const StudyQuantity& quantity);
 
+/// What mesh, time step, precision where the other is the better one, the worst of the other hourglass controls, that
+/// of the other kinds of contact, and twice the deviation by chance move it by, added up as numerical uncertainties are
+/// by Oberkampf and Roy (2010, section 8.7): the value of the mesh of the sources less and plus this is the answer with
+/// its error bar. None: the mesh says nothing, or the values on meshes do not converge.
+std::optional<double> error_together(const ConvergenceStudy& study, const StudyQuantity& quantity);
+
 /// "mesh" or the name of a source, of the largest; empty: nothing moves the quantity by more than 1e-6 of its scale.
 std::string largest_source(const ConvergenceStudy& study, const StudyQuantity& quantity);
 

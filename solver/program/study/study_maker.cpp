@@ -100,7 +100,10 @@ void StudyMaker::run_sources() {
   if (first == study_.meshes.end()) return;
   study_.sources_mesh = own && came_to_its_end(study_.meshes[*own]) ? *own : (first - study_.meshes.begin());
   const Scene refined = refined_by(scene_, study_.meshes[study_.sources_mesh].factor);
-  std::vector<SourceVariation> variations = vary_sources(refined, settings_.sources, settings_.ensemble);
+  std::vector<ErrorSource> sources = settings_.sources;
+  const bool touched = number_of(study_.meshes[study_.sources_mesh].run, "contact.pairs_max") > 0;
+  if (!touched) std::erase(sources, ErrorSource::contact);
+  std::vector<SourceVariation> variations = vary_sources(refined, sources, settings_.ensemble);
   for (SourceVariation& body : vary_bodies(refined, settings_.bodies)) variations.push_back(std::move(body));
   for (const SourceVariation& variation : variations) {
     run_source(variation);

@@ -19,6 +19,7 @@ class StudyMaker {
   /// Into its place from coarse to fine. Throws InputError where a quantity is unknown.
   void run_mesh(const MeshFactor& factor);
   /// On the mesh of the scene itself where that is among them and its run came to its end, else on the coarsest.
+  /// Contact is one where anything has touched.
   void run_sources();
   /// With one of the sources on another mesh.
   void run_trial(std::size_t source, const MeshFactor& factor);

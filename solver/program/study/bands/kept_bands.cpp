@@ -11,6 +11,7 @@
 #include <solver/base/state_hash.hpp>
 #include <solver/base/version.h>
 #include <solver/program/study/convergence_report.hpp>
+#include <solver/program/study/sources_report.hpp>
 
 namespace pinball {
 
@@ -25,15 +26,12 @@ std::string hash_of_settings(const Scene& scene) {
   return fmt::format("{:016x}", hash.value());
 }
 
-OrderedJson band_json(const StudyQuantity& quantity, double value) {
+/// error: of the value, by all sources together.
+OrderedJson band_json(const StudyQuantity& quantity, double value, double error) {
   const GridConvergence& c = *quantity.convergence;
-  return {{"name", quantity.name},
-          {"unit", quantity.unit},
-          {"value", value},
-          {"extrapolated", c.extrapolated},
-          {"low", c.low},
-          {"high", c.high},
-          {"verdict", verdict_word(quantity)}};
+  return {
+      {"name", quantity.name},          {"unit", quantity.unit}, {"value", value}, {"error", error},
+      {"extrapolated", c.extrapolated}, {"low", c.low},          {"high", c.high}, {"verdict", verdict_word(quantity)}};
 }
 
 /// Whether a file holds what kept_bands_json writes.
@@ -46,7 +44,7 @@ bool is_kept_bands(const OrderedJson& json) {
                          [&](const char* name) { return q.contains(name) && (q[name].*is)(); });
     };
     return q.is_object() && all_are({"name", "unit", "verdict"}, &OrderedJson::is_string) &&
-           all_are({"value", "extrapolated", "low", "high"}, &OrderedJson::is_number);
+           all_are({"value", "error", "extrapolated", "low", "high"}, &OrderedJson::is_number);
   };
   const auto& quantities = json["quantities"];
   return std::all_of(quantities.begin(), quantities.end(), is_band);
@@ -62,8 +60,8 @@ std::string kept_bands_json(const ConvergenceStudy& study, const Scene& scene) {
   OrderedJson quantities = OrderedJson::array();
   const auto own = study.own_mesh();
   for (const StudyQuantity& quantity : study.quantities) {
-    const bool has_band = own && quantity.convergence && quantity.convergence->has_band() && quantity.values[*own];
-    if (has_band) quantities.push_back(band_json(quantity, *quantity.values[*own]));
+    const auto error = own == study.sources_mesh ? error_together(study, quantity) : std::nullopt;
+    if (error) quantities.push_back(band_json(quantity, *quantity.values[*own], *error));
   }
   const OrderedJson json = {{"scene", study.scene},
                             {"version", PINBALL_VERSION},
@@ -88,9 +86,9 @@ std::string kept_bands_text(const std::string& quantities) {
   std::string text;
   for (const OrderedJson& q : OrderedJson::parse(quantities)) {
     const std::string name = q["name"], unit = q["unit"];
-    text +=
-        fmt::format("  {}{}: {:.6g}, with finer meshes {:.6g} .. {:.6g}\n", name, unit.empty() ? "" : " [" + unit + "]",
-                    q["value"].get<double>(), q["low"].get<double>(), q["high"].get<double>());
+    text += fmt::format("  {}{}: {:.6g} +- {:.2g}, with finer meshes {:.6g} .. {:.6g}\n", name,
+                        unit.empty() ? "" : " [" + unit + "]", q["value"].get<double>(), q["error"].get<double>(),
+                        q["low"].get<double>(), q["high"].get<double>());
   }
   return text;
 }
