@@ -10,8 +10,10 @@ PYBIND11_MODULE(_core, module) {
   namespace python = pinball::python;
   const python::py::object own_name = module.attr("__name__");
   module.attr("__name__") = "pinball";  // where users see the classes, and pickle looks for them
-  python::py::register_exception<pinball::InputError>(module, "InputError", PyExc_ValueError);
-  python::py::register_exception<pinball::RunError>(module, "RunError", PyExc_RuntimeError);
+  python::py::register_exception<pinball::InputError>(module, "InputError", PyExc_ValueError).doc() =
+      "Input that cannot be used: its text says where it stands, and what was expected.";
+  python::py::register_exception<pinball::RunError>(module, "RunError", PyExc_RuntimeError).doc() =
+      "A run that cannot go on, or a file that cannot be read or written: its text says what, where and when.";
   module.attr("version") = pinball_version();
   python::watch_end_of_interpreter();
   python::bind_scene(module);

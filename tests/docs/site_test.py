@@ -11,13 +11,17 @@ LINK = re.compile(r'(?:href|src)="([^"#?]+)')
 OUTSIDE = re.compile(r"[a-z]+:")
 
 
+def dead_links(folder):
+    """(page, link) of those that lead nowhere."""
+    return sorted({(page.name, link) for page in folder.glob("*.html") for link in LINK.findall(page.read_text())
+                   if not OUTSIDE.match(link) and not (folder / link).exists()})
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
-    pages = sorted(folder.glob("*.html"))
-    assert any("architecture" in page.name for page in pages), f"{folder} is no site of the documents"
-    dead = {(page.name, link) for page in pages for link in LINK.findall(page.read_text())
-            if not OUTSIDE.match(link) and not (folder / link).exists()}
-    for page, link in sorted(dead):
+    assert any("architecture" in page.name for page in folder.glob("*.html")), f"{folder} is no site of the documents"
+    dead = dead_links(folder)
+    for page, link in dead:
         print(f"{page}: {link}", file=sys.stderr)
     return 1 if dead else 0
 
