@@ -36,7 +36,7 @@ NAMES = {
     "limits": "numeric_limits",
     "map": "map multimap",
     "memory": "make_shared make_unique shared_ptr unique_ptr",
-    "mutex": "lock_guard mutex",
+    "mutex": "lock_guard mutex recursive_mutex unique_lock",
     "new": "bad_alloc",
     "optional": "nullopt optional",
     "set": "set",

@@ -21,7 +21,16 @@ void NetcdfFile::fail(const std::string& variable, const std::string& problem) c
 
 #ifdef PINBALL_NETCDF
 
-NetcdfFile::NetcdfFile(const std::string& path) : path_(path) {
+namespace {
+
+std::recursive_mutex& netcdf_turn() {
+  static std::recursive_mutex turn;
+  return turn;
+}
+
+}  // namespace
+
+NetcdfFile::NetcdfFile(const std::string& path) : turn_(netcdf_turn()), path_(path) {
   require_file(path);
   check_netcdf_header(path);
   // Deflated data takes at least a 1032nd of its size.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +9,8 @@
 namespace pinball {
 
 /// A netCDF file to be read, through libnetcdf: classic formats and, where that library has it, HDF5. Everything that
-/// reads throws InputError "PATH: variable NAME: ...". Variables are no longer than what the file can hold.
+/// reads throws InputError "PATH: variable NAME: ...". Variables are no longer than what the file can hold. One thread
+/// at a time has such files: neither library knows of threads.
 class NetcdfFile {
  public:
   explicit NetcdfFile(const std::string& path);
@@ -37,6 +39,7 @@ class NetcdfFile {
   std::int64_t length(const std::string& variable) const;
   void require(int status, const std::string& variable) const;
 
+  std::unique_lock<std::recursive_mutex> turn_;
   std::string path_;
   int file_ = -1;
   std::int64_t most_ = 0;  ///< numbers that a variable may have

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <future>
 #include <set>
 #include <vector>
 
@@ -46,6 +47,23 @@ TEST_P(Exodus, HasTheBlocksAndSets) {
   EXPECT_THAT(file.face_sets[1].faces, ElementsAre(ElementsAre(11, 13, 12, 10)));
   EXPECT_THAT(file.notes,
               ElementsAre(HasSubstr("block 15 (skin) has 1 element of type SHELL4 with 4 nodes: left out")));
+}
+
+/// Hosts read scenes in several threads; libnetcdf by itself knows of none.
+TEST_P(Exodus, IsReadInSeveralThreadsAtOnce) {
+  const MeshFile alone = read_exodus(folder + GetParam(), {});
+  std::vector<std::future<int>> readers;
+  for (int thread = 0; thread < 4; ++thread) {
+    readers.push_back(std::async(std::launch::async, [&] {
+      int same = 0;
+      for (int k = 0; k < 50; ++k) {
+        const MeshFile file = read_exodus(folder + GetParam(), {});
+        same += file.mesh.nodes == alone.mesh.nodes && file.mesh.hexahedra == alone.mesh.hexahedra;
+      }
+      return same;
+    }));
+  }
+  for (std::future<int>& reader : readers) EXPECT_EQ(reader.get(), 50);
 }
 
 TEST_P(Exodus, FilesThatAreCutShortAreErrors) {
