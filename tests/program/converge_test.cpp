@@ -104,6 +104,19 @@ TEST_F(Converge, ARunThatIsThereIsNotMadeAgain) {
   EXPECT_EQ(json()["quantities"], quantities);
 }
 
+/// An ensemble goes side by side where there are threads, with the bits that its runs have one after the other.
+TEST_F(Converge, AnEnsembleHasTheSameBitsSideBySide) {
+  const std::string options = " --quiet --only chance --ensemble 5 --meshes 1/2,1,3/2 --of energy.internal";
+  ASSERT_EQ(converge(options).status, 0);
+  const Json alone = of(json(), "energy.internal");
+  ASSERT_GT(alone["moved_by"]["chance"], 0);
+  std::filesystem::remove_all(out());
+  ASSERT_EQ(
+      run(fmt::format("converge {} --threads 3 --out {} --json {} {}", scene(), out(), json_file(), options)).status,
+      0);
+  EXPECT_EQ(of(json(), "energy.internal"), alone);
+}
+
 TEST_F(Converge, SaysApartWhatStepPrecisionHourglassAndChanceDo) {
   const std::string quantity = "tail_displacement_z:min";
   const Finished f = converge("--quiet --ensemble 3 --meshes 1/2,1,3/2 --of " + quantity);

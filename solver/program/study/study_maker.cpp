@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <future>
 
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
@@ -18,7 +20,8 @@ namespace pinball {
 
 namespace {
 
-constexpr double half_steps = 2;  ///< times as many of them, as long as no run has shown it
+constexpr double largest_side_by_side = 4e6;  ///< elements of all runs that go side by side: some 4 GB
+constexpr double half_steps = 2;              ///< times as many of them, as long as no run has shown it
 
 std::string folder_of(const MeshFactor& factor) {
   std::string name = "mesh_" + factor.text();
@@ -114,14 +117,48 @@ void StudyMaker::run_sources() {
 void StudyMaker::run_source(const SourceVariation& variation) {
   const MeshFactor factor = study_.meshes[study_.sources_mesh].factor;
   study_.sources.push_back({variation.source, variation.name, variation.what, {}});
-  for (std::size_t k = 0; k < variation.scenes.size(); ++k) {
-    const std::string number = variation.source == ErrorSource::chance ? fmt::format("{}", k + 1) : "";
-    const std::string what = fmt::format("mesh {}, {}{}: {}", factor.text(), variation.name, number, variation.what);
-    const auto expected = expected_seconds(factor, study_.sources.size() - 1);
-    StudyRun& made = study_.sources.back().runs.emplace_back();
-    made = run(variation.scenes[k], folder_of(factor) + '_' + variation.folder + number, what, folder_, expected);
-    if (made.stopped) return;
+  auto expected = expected_seconds(factor, study_.sources.size() - 1);
+  const std::size_t count = variation.scenes.size();
+  std::vector<StudyRun> runs(count);
+  StudyFolder folder = folder_;
+  const int lanes = runs_side_by_side(variation);
+  if (lanes > 1) {
+    folder.threads = 1;
+    if (expected) *expected *= lanes;
   }
+  std::atomic<std::size_t> next = 0;
+  const auto make_runs = [&] {
+    for (std::size_t k = next++; k < count; k = next++) {
+      runs[k] = run_variation(variation, k, folder, expected);
+      if (runs[k].stopped) next = count;
+    }
+  };
+  std::vector<std::future<void>> beside;
+  for (int lane = 1; lane < lanes; ++lane) beside.push_back(std::async(std::launch::async, make_runs));
+  make_runs();
+  for (std::future<void>& lane : beside) lane.get();
+  study_.sources.back().runs = std::move(runs);
+}
+
+StudyRun StudyMaker::run_variation(const SourceVariation& variation, std::size_t number, const StudyFolder& folder,
+                                   std::optional<double> expected) {
+  const MeshFactor factor = study_.meshes[study_.sources_mesh].factor;
+  const std::string which = variation.source == ErrorSource::chance ? fmt::format("{}", number + 1) : "";
+  const std::string what = fmt::format("mesh {}, {}{}: {}", factor.text(), variation.name, which, variation.what);
+  return run(variation.scenes[number], folder_of(factor) + '_' + variation.folder + which, what, folder, expected);
+}
+
+int StudyMaker::runs_side_by_side(const SourceVariation& ensemble) const {
+  // Libraries of Exodus complain in each thread but the first, and a device has one run at a time.
+  const bool any_exodus = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const Body& body) {
+    const auto* mesh = std::get_if<FileMesh>(&body.mesh);
+    return mesh != nullptr && mesh->format == MeshFormat::exodus;
+  });
+  if (ensemble.source != ErrorSource::chance || any_exodus || scene_.device != Device::none) return 1;
+  const int threads = settings_.folder.threads > 0 ? settings_.folder.threads : DefaultExecutionSpace::concurrency();
+  const double fit =
+      largest_side_by_side / std::max(1.0, number_of(study_.meshes[study_.sources_mesh].run, "elements"));
+  return static_cast<int>(std::clamp<double>(fit, 1, std::min<double>(threads, ensemble.scenes.size())));
 }
 
 void StudyMaker::run_trial(std::size_t source, const MeshFactor& factor) {

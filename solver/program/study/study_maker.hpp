@@ -37,6 +37,11 @@ class StudyMaker {
   StudyRun run(const Scene& scene, const std::string& name, const std::string& what, const StudyFolder& folder,
                std::optional<double> expected);
   void run_source(const SourceVariation& variation);
+  StudyRun run_variation(const SourceVariation& variation, std::size_t number, const StudyFolder& folder,
+                         std::optional<double> expected);
+  /// How many runs of the ensemble go side by side, each on one thread: that takes less time than one after the other
+  /// on all threads (docs/performance.md). 1: they go one after the other.
+  int runs_side_by_side(const SourceVariation& ensemble) const;
   /// Of a mesh: how many have their fields written, for the page.
   int states_to_show(const Scene& refined, const MeshFactor& factor) const;
   /// How many times the work of the same mesh a source takes, as long as no run has shown it.
