@@ -143,7 +143,7 @@ TEST_F(Converge, SaysApartWhatStepPrecisionHourglassAndChanceDo) {
     EXPECT_GT(moved["chance"], 0);
     EXPECT_LT(moved["chance"], 1e-8 * std::abs(base));  // nothing here is chaotic
   }
-  EXPECT_THAT(names, ElementsAre("time step", "float", "hourglass viscous", "hourglass stiffness", "chance"));
+  EXPECT_THAT(names, ElementsAre("time step", "float", "mixed", "hourglass viscous", "hourglass stiffness", "chance"));
   EXPECT_LT(std::abs(moved["float"].get<double>()), 1e-4 * std::abs(base));
   EXPECT_FALSE(of(table, quantity)["chance_rules"]);
   EXPECT_THAT(f.text, HasSubstr("the largest source of error is: "));
@@ -156,6 +156,7 @@ TEST_F(Converge, SaysApartWhatStepPrecisionHourglassAndChanceDo) {
   };
   expect_run("half_step", "--set time.cfl=0.45");
   expect_run("float", "--precision float");
+  expect_run("mixed", "--precision mixed");
   expect_run("hourglass_viscous", "--set element.hourglass=viscous");
   expect_run("chance_2", "--set body.bar.velocity_noise=2e-8");
 }

@@ -31,16 +31,19 @@ TEST(ErrorSources, EachChangesItsOwnAlone) {
   scene.bodies[0].element = ElementSettings{};
   const auto all =
       vary_sources(scene, {ErrorSource::step, ErrorSource::precision, ErrorSource::hourglass, ErrorSource::chance}, 2);
-  ASSERT_EQ(all.size(), 5);
+  ASSERT_EQ(all.size(), 6);
   EXPECT_EQ(all[0].scenes[0].time.cfl, 0.45);
   EXPECT_EQ(all[0].scenes[0].precision, Precision::float64);
   EXPECT_EQ(all[1].scenes[0].precision, Precision::float32);
-  EXPECT_EQ(all[2].scenes[0].element.hourglass, HourglassControl::viscous);
-  EXPECT_EQ(all[2].scenes[0].element.hourglass_coefficient, 0.025);
-  EXPECT_EQ(all[3].scenes[0].bodies[0].element->hourglass, HourglassControl::stiffness);
-  ASSERT_EQ(all[4].scenes.size(), 2);
-  EXPECT_DOUBLE_EQ(all[4].scenes[0].bodies[0].velocity_noise, 5e-9);
-  EXPECT_DOUBLE_EQ(all[4].scenes[1].bodies[1].velocity_noise, 10e-9);
+  EXPECT_EQ(all[2].scenes[0].precision, Precision::mixed);
+  EXPECT_EQ(all[3].scenes[0].element.hourglass, HourglassControl::viscous);
+  EXPECT_EQ(all[3].scenes[0].element.hourglass_coefficient, 0.025);
+  EXPECT_EQ(all[4].scenes[0].bodies[0].element->hourglass, HourglassControl::stiffness);
+  ASSERT_EQ(all[5].scenes.size(), 2);
+  EXPECT_DOUBLE_EQ(all[5].scenes[0].bodies[0].velocity_noise, 5e-9);
+  EXPECT_DOUBLE_EQ(all[5].scenes[1].bodies[1].velocity_noise, 10e-9);
+  scene.device = Device::mock;
+  EXPECT_EQ(vary_sources(scene, {ErrorSource::precision}, 2).size(), 1) << "there is no mixed precision on devices";
   EXPECT_TRUE(vary_sources(scene, {}, 2).empty());
 }
 

@@ -54,7 +54,7 @@ class SearchOfSettings : public Converge {
 TEST_F(SearchOfSettings, TriesThoseThatAreExpectedToReachTheErrorForLess) {
   ASSERT_EQ(converge(search).status, 0);
   set_seconds({{"mesh_1", 10}, {"mesh_2", 80}, {"mesh_3", 300}});
-  set_seconds({{"mesh_1_half_step", 20}, {"mesh_1_float", 5}});
+  set_seconds({{"mesh_1_half_step", 20}, {"mesh_1_float", 5}, {"mesh_1_mixed", 9.5}});
   set_seconds({{"mesh_1_hourglass_viscous", 9.5}, {"mesh_1_hourglass_stiffness", 9.5}});
   ASSERT_EQ(converge(std::string(search) + "--error 3%").status, 0);
   EXPECT_THAT(trials(), ElementsAre("mesh 2, float"));  // which then is the fastest of all
@@ -70,7 +70,7 @@ TEST_F(SearchOfSettings, TriesThoseThatAreExpectedToReachTheErrorForLess) {
 TEST_F(SearchOfSettings, TriesEachOnTheMeshThatItsOwnErrorAsksFor) {
   ASSERT_EQ(converge(search).status, 0);
   set_seconds({{"mesh_1", 10}, {"mesh_2", 80}, {"mesh_3", 300}, {"mesh_1_hourglass_stiffness", 5}});
-  set_seconds({{"mesh_1_half_step", 40}, {"mesh_1_float", 40}, {"mesh_1_hourglass_viscous", 40}});
+  set_seconds({{"mesh_1_half_step", 40}, {"mesh_1_float", 40}, {"mesh_1_mixed", 40}, {"mesh_1_hourglass_viscous", 40}});
   ASSERT_EQ(converge(std::string(search) + "--error 3.8%").status, 0);
   EXPECT_THAT(trials(), Contains("mesh 3/2, hourglass stiffness"));
 }

@@ -58,12 +58,15 @@ SourceVariation half_step(const Scene& scene) {
   return {ErrorSource::step, "time step", what, "half_step", {half}};
 }
 
-SourceVariation other_precision(const Scene& scene) {
-  Scene other = scene;
-  const bool to_float = scene.precision == Precision::float64;
-  other.precision = to_float ? Precision::float32 : Precision::float64;
-  const std::string name = schema::name_of(other.precision);
-  return {ErrorSource::precision, name, fmt::format("precision = \"{}\"", name), name, {other}};
+void add_precisions(const Scene& scene, std::vector<SourceVariation>& variations) {
+  for (const auto& choice : schema::choices(schema::Of<Precision>{})) {
+    const bool on_device = scene.device != Device::none && choice.value == Precision::mixed;  // it has none
+    if (choice.value == scene.precision || on_device) continue;
+    Scene other = scene;
+    other.precision = choice.value;
+    const std::string name = choice.name;
+    variations.push_back({ErrorSource::precision, name, fmt::format("precision = \"{}\"", name), name, {other}});
+  }
 }
 
 void set_hourglass(ElementSettings& element, HourglassControl control) {
@@ -158,7 +161,7 @@ std::vector<SourceVariation> vary_sources(const Scene& scene, const std::vector<
   };
   std::vector<SourceVariation> variations;
   if (asked(ErrorSource::step)) variations.push_back(half_step(scene));
-  if (asked(ErrorSource::precision)) variations.push_back(other_precision(scene));
+  if (asked(ErrorSource::precision)) add_precisions(scene, variations);
   if (asked(ErrorSource::hourglass)) add_hourglass(scene, variations);
   if (asked(ErrorSource::contact)) add_contact(scene, variations);
   if (asked(ErrorSource::chance)) variations.push_back(by_chance(scene, ensemble));

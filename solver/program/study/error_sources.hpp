@@ -19,7 +19,7 @@ struct SourceVariation {
   std::vector<Scene> scenes;  ///< one; of chance as many as the ensemble has
 };
 
-/// The scene with half the step (and half of time.smallest_step, so that masses stay), in the other precision, with
+/// The scene with half the step (and half of time.smallest_step, so that masses stay), in each other precision, with
 /// each other hourglass control, with the contact of the defaults and a slideline where it has another and its friction
 /// allows them, and `ensemble` times with initial velocities that differ by parts of 1e-9 (of single precision: 1e-5),
 /// the k-th by k such parts: noise on all nodes, of the largest speed that the scene gives, or of a thousandth of the
