@@ -62,17 +62,20 @@ struct FluidSettings {
   bool operator==(const FluidSettings&) const = default;
 };
 
-enum class EquationOfStateForm { mie_grueneisen, polynomial };
+enum class EquationOfStateForm { mie_grueneisen, polynomial, tabulated };
 
 /// equation_of_state of a material: p = A(mu) + B(mu) e (kernels/material/equation_of_state.hpp).
 struct EquationOfStateSettings {
   EquationOfStateForm form = EquationOfStateForm::mie_grueneisen;
-  double sound_speed = 0.0;          ///< sound_speed: c of u_s = c + s1 u_p; Mie and Grueneisen [length/time]
-  Point slopes{};                    ///< slopes: s1, s2, s3; the same [-]
-  double gamma = 0.0;                ///< gamma: Gamma_0; the same [-]
-  double gamma_slope = 0.0;          ///< gamma_slope: a; the same [-]
-  std::vector<double> coefficients;  ///< coefficients: c0 ... c3 [stress], c4 ... c6 [-]; polynomial
-  double tension_limit = 0.0;        ///< tension_limit: pressure is never below minus this; 0: no limit [stress]
+  double sound_speed = 0.0;           ///< sound_speed: c of u_s = c + s1 u_p; Mie and Grueneisen [length/time]
+  Point slopes{};                     ///< slopes: s1, s2, s3; the same [-]
+  double gamma = 0.0;                 ///< gamma: Gamma_0; the same [-]
+  double gamma_slope = 0.0;           ///< gamma_slope: a; the same [-]
+  std::vector<double> coefficients;   ///< coefficients: c0 ... c3 [stress], c4 ... c6 [-]; polynomial
+  std::vector<double> volume_strain;  ///< volume_strain: ln(V/V_0) of the points of a table, rising or falling [-]
+  std::vector<double> pressure;       ///< pressure: A at them [stress]
+  std::vector<double> energy_factor;  ///< energy_factor: B at them; empty: 0 [-]
+  double tension_limit = 0.0;         ///< tension_limit: pressure is never below minus this; 0: no limit [stress]
 
   bool operator==(const EquationOfStateSettings&) const = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "power.hpp"
 #include "von_mises.hpp"
 
 /// Equations of state: the pressure of a material that is compressed too far for a constant bulk modulus,
@@ -24,10 +25,15 @@
 /// D vanishes at a compression that no shock reaches; before that it stays at 0.01.
 ///
 /// Polynomial: A = c_0 + c_1 mu + c_2 mu^2 + c_3 mu^3, B = c_4 + c_5 mu + c_6 mu^2; where mu < 0 without c_2 and c_6.
+///
+/// Tabulated: A and B over the volumetric strain ln(1 + mu), in straight pieces of which the first and the last go on.
+///
 /// At rest p = 0.
 namespace pinball {
 
-enum class PressureLaw { linear, mie_grueneisen, polynomial };
+enum class PressureLaw { linear, mie_grueneisen, polynomial, tabulated };
+
+inline constexpr int most_table_pieces = 15;
 
 template <class S>
 struct EquationOfState {
@@ -36,7 +42,11 @@ struct EquationOfState {
   S slope[3] = {};                        ///< s_1, s_2, s_3 [-]
   S gamma = S(0), gamma_slope = S(0);     ///< Gamma_0, a [-]
   S polynomial[7] = {};                   ///< c_0 ... c_3 [stress], c_4 ... c_6 [-]
-  S tension_limit = S(0);                 ///< the pressure is never below minus this; infinity: no such limit [stress]
+  int pieces = 0;                         ///< of the table
+  S strain[most_table_pieces] = {};       ///< ln(1 + mu) at which each begins, rising [-]
+  S cold[most_table_pieces] = {}, cold_rise[most_table_pieces] = {};        ///< A there, dA/d ln(1 + mu) [stress]
+  S thermal[most_table_pieces] = {}, thermal_rise[most_table_pieces] = {};  ///< B there, dB/d ln(1 + mu) [-]
+  S tension_limit = S(0);  ///< the pressure is never below minus this; infinity: no such limit [stress]
 };
 
 /// A and B of a pressure that is linear in the energy, and their slopes over mu.
@@ -78,7 +88,25 @@ PINBALL_FUNCTION PressureParts<T> polynomial_pressure(const EquationOfState<Scal
 }
 
 template <class T>
+PINBALL_FUNCTION PressureParts<T> tabulated_pressure(const EquationOfState<ScalarOf<T>>& eos, const T& mu) {
+  const T density = T(1) + mu, strain = logarithm(density);
+  T begin(eos.strain[0]), cold(eos.cold[0]), rise(eos.cold_rise[0]), thermal(eos.thermal[0]),
+      thermal_rise(eos.thermal_rise[0]);
+  for (int k = 1; k < eos.pieces; ++k) {
+    const auto reached = strain >= T(eos.strain[k]);
+    begin = select(reached, T(eos.strain[k]), begin);
+    cold = select(reached, T(eos.cold[k]), cold);
+    rise = select(reached, T(eos.cold_rise[k]), rise);
+    thermal = select(reached, T(eos.thermal[k]), thermal);
+    thermal_rise = select(reached, T(eos.thermal_rise[k]), thermal_rise);
+  }
+  const T beyond = strain - begin, inverse = T(1) / density;  // d ln(1 + mu)/dmu
+  return {cold + rise * beyond, rise * inverse, thermal + thermal_rise * beyond, thermal_rise * inverse};
+}
+
+template <class T>
 PINBALL_FUNCTION PressureParts<T> pressure_parts(const EquationOfState<ScalarOf<T>>& eos, const T& mu) {
+  if (eos.law == PressureLaw::tabulated) return tabulated_pressure(eos, mu);
   return eos.law == PressureLaw::polynomial ? polynomial_pressure(eos, mu) : mie_grueneisen(eos, mu);
 }
 

@@ -177,6 +177,7 @@ class RateInterpolation:
 class EquationOfStateForm:
     mie_grueneisen: EquationOfStateForm
     polynomial: EquationOfStateForm
+    tabulated: EquationOfStateForm
     @property
     def name(self) -> str: ...
     @property
@@ -497,7 +498,7 @@ class Fluid:
 
 class EquationOfState:
     """Pressure over compression and energy."""
-    def __init__(self, *, form: Union[EquationOfStateForm, str] = ..., sound_speed: float = ..., slopes: Sequence[float] = ..., gamma: float = ..., gamma_slope: float = ..., coefficients: Sequence[float] = ..., tension_limit: float = ...) -> None: ...
+    def __init__(self, *, form: Union[EquationOfStateForm, str] = ..., sound_speed: float = ..., slopes: Sequence[float] = ..., gamma: float = ..., gamma_slope: float = ..., coefficients: Sequence[float] = ..., volume_strain: Sequence[float] = ..., pressure: Sequence[float] = ..., energy_factor: Sequence[float] = ..., tension_limit: float = ...) -> None: ...
     form: Field[EquationOfStateForm, Union[EquationOfStateForm, str]]
     """of A and B in p = A + B e"""
     sound_speed: float
@@ -510,6 +511,12 @@ class EquationOfState:
     """a, of its change with the density [-]"""
     coefficients: Field[list[float], Sequence[float]]
     """[c0, c1, c2, c3, c4, c5, c6], the last three without a unit [stress]"""
+    volume_strain: Field[list[float], Sequence[float]]
+    """ln(V/V_0) of 2 to 16 points, rising or falling; beyond the ends the last pieces go on [-]"""
+    pressure: Field[list[float], Sequence[float]]
+    """A at these points, 0 where the volume is that at rest [stress]"""
+    energy_factor: Field[list[float], Sequence[float]]
+    """B at these points; none: 0 [-]"""
     tension_limit: float
     """the pressure is never below minus this; 0: no limit [stress]"""
 

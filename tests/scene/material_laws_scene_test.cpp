@@ -165,6 +165,40 @@ TEST_F(MaterialLawsScene, RefusesPressuresThatAreNone) {
               HasSubstr("equation_of_state.coefficients: not used but with form = \"polynomial\""));
 }
 
+TEST_F(MaterialLawsScene, RefusesTablesOfPressureThatAreNone) {
+  const auto problem = [this](const std::string& table) {
+    return problem_of_pressure("form = \"tabulated\", " + table);
+  };
+  EXPECT_THAT(problem("pressure = [0, 1]"), HasSubstr("volume_strain: expected 2 to 16 numbers, got 0"));
+  EXPECT_THAT(problem("volume_strain = [0, -1]"),
+              HasSubstr("pressure: expected as many numbers as volume_strain has, 2, got 0"));
+  EXPECT_THAT(problem("volume_strain = [0], pressure = [0]"),
+              HasSubstr("volume_strain: expected 2 to 16 numbers, got 1"));
+  EXPECT_THAT(problem("volume_strain = [0, -1, -1], pressure = [0, 1, 2]"),
+              HasSubstr("volume_strain: expected numbers that all rise or all fall, got -1 after -1"));
+  EXPECT_THAT(problem("volume_strain = [0, -1], pressure = [0, 1, 2]"),
+              HasSubstr("pressure: expected as many numbers as volume_strain has, 2, got 3"));
+  EXPECT_THAT(problem("volume_strain = [0, -1], pressure = [0, 1], energy_factor = [1]"),
+              HasSubstr("energy_factor: expected as many numbers as volume_strain has, 2, got 1"));
+  EXPECT_THAT(problem("volume_strain = [1, -1], pressure = [0, 1]"),
+              HasSubstr("pressure: expected 0 at a volume_strain of 0, where a body presses on nothing, got 0.5"));
+  EXPECT_THAT(problem("volume_strain = [1, 0, -1], pressure = [1, 0, 1]"),
+              HasSubstr("pressure: expected a bulk modulus at rest > 0, got -1"));
+  EXPECT_THAT(problem("volume_strain = [0, -inf], pressure = [0, 1]"), HasSubstr("expected a finite number, got -inf"));
+  EXPECT_THAT(problem_of_pressure("sound_speed = 1, pressure = [0, 1]"),
+              HasSubstr("equation_of_state.pressure: not used but with form = \"tabulated\""));
+}
+
+/// Given from either end; where pieces meet at rest the stiffer one has the bulk modulus.
+TEST_F(MaterialLawsScene, ReadsTablesOfPressure) {
+  for (const char* table : {"volume_strain = [0.1, 0, -0.2], pressure = [-1e9, 0, 4e9]",
+                            "volume_strain = [-0.2, 0, 0.1], pressure = [4e9, 0, -1e9]"}) {
+    const Material m =
+        read(lines(std::string("equation_of_state = { form = \"tabulated\", ") + table + " }")).materials.at(0);
+    EXPECT_NEAR(m.bulk_modulus, 20e9, 1) << table;
+  }
+}
+
 TEST_F(MaterialLawsScene, ReadsLimitsOfErosionOfAnyModel) {
   const std::string limits =
       "erosion = { tension = 1e9, compression = 2e9, principal_stress = 3e9, effective_stress = 4e9, principal_strain "

@@ -79,6 +79,8 @@ inline std::map<std::string, std::string> key_effects_scenes() {
                           "slopes = [1.4, 0.1, 0.0]\ngamma = 2.0\n")},
       {"polynomial", one(law + "[material.equation_of_state]\nform = \"polynomial\"\n"
                                "coefficients = [0.0, 70.0, 80.0, 10.0, 1.9, 0.6, 0.1]\n")},
+      {"tabulated", one(law + "[material.equation_of_state]\nform = \"tabulated\"\nvolume_strain = [0.2, 0.0, -0.3]\n"
+                              "pressure = [-12.0, 0.0, 30.0]\nenergy_factor = [1.5, 2.0, 2.2]\n")},
       {"fluid", one("model = \"von_mises\"\n[material.fluid]\nviscosity = 0.1\n[material.equation_of_state]\n"
                     "form = \"polynomial\"\ncoefficients = [0.0, 70.0, 80.0, 10.0, 1.9, 0.6, 0.1]\n",
                     "[element]\nhourglass = \"viscous\"\n")},

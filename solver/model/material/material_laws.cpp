@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <solver/scene/material/pressure_table.hpp>
+
 #include "yield_curves.hpp"
 
 namespace pinball {
@@ -53,6 +55,18 @@ EquationOfState<S> pressure_constants(const Material& material) {
     eos.law = PressureLaw::polynomial;
     std::transform(given.coefficients.begin(), given.coefficients.end(), eos.polynomial,
                    [](double one) { return static_cast<S>(one); });
+    return eos;
+  }
+  if (given.form == EquationOfStateForm::tabulated) {
+    eos.law = PressureLaw::tabulated;
+    for (const TablePiece& piece : pieces_of_table(given)) {
+      const int k = eos.pieces++;
+      eos.strain[k] = static_cast<S>(piece.strain);
+      eos.cold[k] = static_cast<S>(piece.cold);
+      eos.cold_rise[k] = static_cast<S>(piece.cold_rise);
+      eos.thermal[k] = static_cast<S>(piece.thermal);
+      eos.thermal_rise[k] = static_cast<S>(piece.thermal_rise);
+    }
     return eos;
   }
   eos.law = PressureLaw::mie_grueneisen;

@@ -73,6 +73,9 @@ void print_johnson_cook(const Material& m, const Units& units) {
 void print_equation_of_state(const EquationOfStateSettings& eos, const Units& units) {
   if (eos.form == EquationOfStateForm::polynomial) {
     fmt::print("    equation of state: polynomial, c1 {}", with_unit(eos.coefficients[1], units.stress));
+  } else if (eos.form == EquationOfStateForm::tabulated) {
+    fmt::print("    equation of state: a table of {} points, volume strains {:.4g} to {:.4g}", eos.volume_strain.size(),
+               eos.volume_strain.front(), eos.volume_strain.back());
   } else {
     fmt::print("    equation of state: Mie-Grueneisen, u_s = {} + {:.4g} u_p, Gamma {:.4g}",
                with_unit(eos.sound_speed, units.velocity), eos.slopes[0], eos.gamma);

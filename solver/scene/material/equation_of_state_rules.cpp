@@ -4,6 +4,8 @@
 
 #include <solver/scene_rules.hpp>
 
+#include "pressure_table.hpp"
+
 namespace pinball {
 
 namespace {
@@ -30,6 +32,7 @@ std::optional<Problem> problem_of_polynomial(const std::vector<double>& c) {
 }  // namespace
 
 std::optional<Problem> problem_of(const EquationOfStateSettings& eos) {
+  if (eos.form == EquationOfStateForm::tabulated) return problem_of_table(eos);
   if (eos.form == EquationOfStateForm::polynomial) return problem_of_polynomial(eos.coefficients);
   for (const double slope : eos.slopes) {
     if (!std::isfinite(slope)) return Problem{"slopes", fmt::format("expected finite numbers, got {}", slope)};
@@ -39,6 +42,7 @@ std::optional<Problem> problem_of(const EquationOfStateSettings& eos) {
 
 double bulk_modulus_at_rest(const EquationOfStateSettings& eos, double density) {
   if (eos.form == EquationOfStateForm::mie_grueneisen) return density * eos.sound_speed * eos.sound_speed;
+  if (eos.form == EquationOfStateForm::tabulated) return bulk_modulus_of_table(eos);
   return eos.coefficients.size() == coefficients ? eos.coefficients[1] : 0.0;
 }
 

@@ -34,7 +34,8 @@ constexpr auto choices(Of<Device>) {
 }
 constexpr auto choices(Of<EquationOfStateForm>) {
   return std::array{Choice{"mie_grueneisen", EquationOfStateForm::mie_grueneisen},
-                    Choice{"polynomial", EquationOfStateForm::polynomial}};
+                    Choice{"polynomial", EquationOfStateForm::polynomial},
+                    Choice{"tabulated", EquationOfStateForm::tabulated}};
 }
 constexpr auto choices(Of<MassScaling>) {
   return std::array{Choice{"small", MassScaling::small}, Choice{"all", MassScaling::all}};

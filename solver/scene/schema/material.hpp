@@ -119,6 +119,7 @@ constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
   using T = EquationOfStateSettings;
   const auto shock = [](const T& eos) { return eos.form == EquationOfStateForm::mie_grueneisen; };
   const auto polynomial = [](const T& eos) { return eos.form == EquationOfStateForm::polynomial; };
+  const auto tabulated = [](const T& eos) { return eos.form == EquationOfStateForm::tabulated; };
   visit(Key{"form", &T::form, "of A and B in p = A + B e"});
   visit(Key{"sound_speed",
             &T::sound_speed,
@@ -136,6 +137,18 @@ constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
             "`[c0, c1, c2, c3, c4, c5, c6]`, the last three without a unit",
             {.unit = "M/(L T^2)", .need = Need::required}}
             .only_where(polynomial, "but with form = \"polynomial\""));
+  visit(Key{"volume_strain",
+            &T::volume_strain,
+            "ln(V/V_0) of 2 to 16 points, rising or falling; beyond the ends the last pieces go on",
+            {.unit = "-", .need = Need::required}}
+            .only_where(tabulated, "but with form = \"tabulated\""));
+  visit(Key{"pressure",
+            &T::pressure,
+            "A at these points, 0 where the volume is that at rest",
+            {.unit = "M/(L T^2)", .need = Need::required}}
+            .only_where(tabulated, "but with form = \"tabulated\""));
+  visit(Key{"energy_factor", &T::energy_factor, "B at these points; none: 0", {.unit = "-"}}.only_where(
+      tabulated, "but with form = \"tabulated\""));
   visit(Key{"tension_limit",
             &T::tension_limit,
             "the pressure is never below minus this; 0: no limit",

@@ -37,6 +37,33 @@ EquationOfState<double> polynomial() {
   return eos;
 }
 
+/// Points at 0.2, 0, -0.1, -0.4 of ln V.
+EquationOfState<double> table() {
+  EquationOfState<double> eos;
+  eos.law = PressureLaw::tabulated;
+  eos.pieces = 3;
+  const double strain[3] = {-0.2, 0, 0.1}, cold[3] = {-20e3, 0, 14e3}, rise[3] = {100e3, 140e3, 200e3};
+  const double thermal[3] = {1.8, 2, 2}, thermal_rise[3] = {1, 0, -0.5};
+  std::copy(strain, strain + 3, eos.strain);
+  std::copy(cold, cold + 3, eos.cold);
+  std::copy(rise, rise + 3, eos.cold_rise);
+  std::copy(thermal, thermal + 3, eos.thermal);
+  std::copy(thermal_rise, thermal_rise + 3, eos.thermal_rise);
+  eos.tension_limit = std::numeric_limits<double>::infinity();
+  return eos;
+}
+
+TEST(TabulatedPressure, IsStraightBetweenItsPointsAndGoesOn) {
+  const auto at = [](double strain) { return pressure_parts(table(), std::expm1(strain)); };
+  EXPECT_NEAR(at(-0.1).cold, -10e3, 1e-9);
+  EXPECT_NEAR(at(-0.1).thermal, 1.9, 1e-14);
+  EXPECT_NEAR(at(0.05).cold, 7e3, 1e-9);
+  EXPECT_NEAR(at(0.2).cold, 34e3, 1e-9);
+  EXPECT_NEAR(at(0.2).thermal, 1.95, 1e-14);
+  EXPECT_NEAR(at(-0.3).cold, -30e3, 1e-9) << "before the first point";
+  EXPECT_NEAR(at(0.9).cold, 174e3, 1e-9) << "behind the last";
+}
+
 /// Behind a shock u_s = c + (s1 + s2 x + s3 x^2) u_p, x = u_p/u_s = 1 - V/V_0, p = rho_0 u_s u_p and e = p x/2.
 TEST(MieGrueneisen, HasTheHugoniotThatItIsMadeFrom) {
   for (const auto& eos : {copper(), with_all_slopes()}) {
@@ -51,7 +78,7 @@ TEST(MieGrueneisen, HasTheHugoniotThatItIsMadeFrom) {
 }
 
 TEST(EquationsOfState, HaveTheSlopesOfTheirParts) {
-  for (const auto& eos : {copper(), with_all_slopes(), polynomial()}) {
+  for (const auto& eos : {copper(), with_all_slopes(), polynomial(), table()}) {
     for (const double mu : {-0.2, -0.01, 0.01, 0.1, 0.4, 2.5}) {  // the last: beyond the pole of copper()
       const double h = 1e-5;
       const PressureParts<double> at = pressure_parts(eos, mu), above = pressure_parts(eos, mu + h),
@@ -91,6 +118,18 @@ PressureState<double> compressed(const EquationOfState<double>& eos, double to, 
   return now;
 }
 
+/// A = K ln(1 + mu) and B = 0: e = K (1 - (1 + x) exp(-x)) at x = ln(1 + mu).
+TEST(TabulatedPressure, HasTheEnergyOfItsIsentrope) {
+  EquationOfState<double> eos = table();
+  eos.pieces = 1;
+  eos.strain[0] = -0.5, eos.cold[0] = -50e3, eos.cold_rise[0] = 100e3, eos.thermal[0] = eos.thermal_rise[0] = 0;
+  for (const double x : {0.3, -0.2}) {
+    const double exact = 100e3 * (1 - (1 + x) * std::exp(-x));
+    EXPECT_NEAR(energy_of_isentrope(eos, std::expm1(x)), exact, 1e-9 * exact);
+    EXPECT_NEAR(compressed(eos, std::expm1(x), 2000).energy, exact, 2e-6 * exact);
+  }
+}
+
 TEST(EquationsOfState, FollowIsentropesToTheSecondOrderOfTheStep) {
   for (const auto& eos : {copper(), polynomial()}) {
     for (const double to : {0.3, -0.1}) {
@@ -104,7 +143,7 @@ TEST(EquationsOfState, FollowIsentropesToTheSecondOrderOfTheStep) {
 }
 
 TEST(EquationsOfState, HaveTheStiffnessOfTheirIsentropes) {
-  for (const auto& eos : {copper(), with_all_slopes(), polynomial()}) {
+  for (const auto& eos : {copper(), with_all_slopes(), polynomial(), table()}) {
     const double mu = 0.2, h = 1e-4;
     const auto at = [&eos](double to) {
       const PressureParts<double> parts = pressure_parts(eos, to);
