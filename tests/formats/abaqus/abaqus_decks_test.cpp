@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -54,6 +55,33 @@ TEST_F(AbaqusDecks, RatesRaiseTheYieldStress) {
   EXPECT_NEAR(stress(solver, 2) / (1e6 + 2e6 * rate / 200 + 1e7 * strain(2)), 1, 0.01);
   EXPECT_NEAR(stress(solver, 3) / (1e6 + 1e7 * strain(3)), 1, 0.01);
   EXPECT_NEAR(stress(solver, 4) / ((1e6 + 3e6 * std::sqrt(strain(4))) * (1 + 0.1 * std::log(rate / 2))), 1, 0.01);
+}
+
+/// Plastic work warms both: the first one softens as its yield stress over strain and temperature says, the second one,
+/// of a constant yield stress, grows as its energy does.
+TEST_F(AbaqusDecks, HeatSoftensAndExpands) {
+  const Solver<double>& solver = run_of("heat");
+  const double strain = summarize(solver).bodies[0].max_plastic_strain, heat_capacity = 7.85e-9 * 4.6e8;
+  double warmer = 0, yield = 0;
+  constexpr int steps = 100000;
+  for (int i = 0; i < steps; ++i) {
+    const double middle = strain * (i + 0.5) / steps;
+    yield = (800 + 600 * std::pow(middle, 0.25)) * (1 - std::pow(warmer / 1520, 1.1));
+    warmer += 0.8 * yield * strain / steps / heat_capacity;
+  }
+  EXPECT_GT(warmer, 100) << "which takes 5 % of the strength";
+  EXPECT_NEAR(stress(solver, 0) / yield, 1, 1e-3);
+  // p = K mu + gamma e = -q/3, the energy e that of the stress q, at most 1000, along the logarithm of the length.
+  const double bulk = 175000, gamma = 3 * bulk * 5e-5 * 0.9 / heat_capacity;
+  double energy = 0, volume = 1;
+  for (int i = 0; i < steps; ++i) {
+    const double q = std::min(1000.0, 210000 * std::log(1.5) * i / steps);
+    energy += q * volume * std::log(1.5) / steps;
+    volume = 1 / (1 - (q / 3 + gamma * energy) / bulk);
+  }
+  const Point far = position_of(solver, 14), near = position_of(solver, 8);
+  EXPECT_GT(std::log(volume), 0.015);
+  EXPECT_NEAR(std::log((far[0] - near[0]) * (far[1] - near[1]) * (far[2] - near[2])) / std::log(volume), 1, 2e-3);
 }
 
 /// What acts on a free body, integrated over time, over its mass.

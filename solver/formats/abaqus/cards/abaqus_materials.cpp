@@ -5,8 +5,7 @@
 #include <optional>
 #include <set>
 
-#include <solver/formats/deck/given_once.hpp>
-
+#include "abaqus_material.hpp"
 #include "abaqus_parts.hpp"
 
 namespace pinball {
@@ -17,30 +16,6 @@ struct Curve {
   double rate = 0;
   std::vector<double> strain, stress;
   DeckPlace place{};
-};
-
-/// *MATERIAL and what belongs to it, up to the next one.
-struct AbaqusMaterial {
-  const AbaqusBlock* head = nullptr;
-  std::vector<const AbaqusBlock*> options;
-  GivenOnce given{};
-
-  /// Options of a material stand once, but for *PLASTIC at another rate.
-  void add(const AbaqusBlock& block) {
-    static const std::set<std::string> once{"DENSITY",      "ELASTIC", "PLASTIC",  "RATEDEPENDENT",
-                                            "SHEARFAILURE", "DAMPING", "EXPANSION"};
-    const std::string rate = block.name == "PLASTIC" ? fmt::format(" at the rate {}", block.number("RATE", 0.0)) : "";
-    if (!once.contains(block.name)) return;
-    given.add(block.star_name() + rate + " of one material", block.place);
-    options.push_back(&block);
-  }
-  const AbaqusBlock* option(const char* name) const {
-    const AbaqusBlock* found = nullptr;
-    for (const AbaqusBlock* block : options) {
-      if (block->name == name) found = block;
-    }
-    return found;
-  }
 };
 
 std::map<std::string, AbaqusMaterial> materials_of(const AbaqusDeck& deck) {
@@ -57,12 +32,6 @@ std::map<std::string, AbaqusMaterial> materials_of(const AbaqusDeck& deck) {
     }
   }
   return materials;
-}
-
-/// The one line of constants.
-DataLine only_card(const AbaqusBlock& block, const char* what) {
-  DataLines lines(block);
-  return lines.require(what);
 }
 
 const AbaqusBlock& required(const AbaqusMaterial& material, const char* name, const char* title) {
@@ -90,8 +59,6 @@ std::vector<Curve> curves_of(const AbaqusMaterial& material) {
   std::ranges::stable_sort(curves, {}, &Curve::rate);
   return curves;
 }
-
-using MaterialKeys = DeckKeys<Material>;
 
 /// Behind its last point a table of Abaqus goes on without hardening.
 GivenValue given_curve(Curve curve, double factor, std::optional<double> rate) {
@@ -150,49 +117,10 @@ void set_rate(const AbaqusBlock& block, const Curve& curve, const MaterialKeys& 
   keys.set("yield_curves", curves);
 }
 
-bool is_adiabatic(const AbaqusData& data) {
-  return std::ranges::any_of(
-      data.deck.blocks, [](const AbaqusBlock& block) { return block.name == "DYNAMIC" && block.has("ADIABATIC"); });
-}
-
-/// A, B, n, and how it softens: not at all, where temperatures stay at 0, below that at which it begins.
-InnerKeys<JohnsonCookSettings> johnson_cook_strength(AbaqusData& data, const AbaqusBlock& plastic,
-                                                     const MaterialKeys& keys) {
-  const DataLine card = only_card(plastic, "A, B, n");
-  const DataFields f(card);
-  keys.set("yield_stress", f.number(0, "A"), "A");
-  InnerKeys<JohnsonCookSettings> law;
-  law.set("hardening_coefficient", f.number(1, "B", 0.0));
-  law.set("hardening_exponent", f.number(2, "n", 1.0));
-  const double m = f.number(3, "m", 0.0), melting = f.number(4, "melting temperature", 0.0),
-               transition = f.number(5, "transition temperature", 0.0);
-  if (melting != 0 && (is_adiabatic(data) || transition < 0))
-    data.report.reject(card.place, "*PLASTIC, HARDENING=JOHNSON COOK that softens with its temperature",
-                       "temperatures are not computed: leave its melting temperature out");
-  if (m != 0 || melting != 0 || transition != 0)
-    data.report.unused(card.place, "*PLASTIC, HARDENING=JOHNSON COOK: m and its temperatures",
-                       is_adiabatic(data) ? "its melting temperature is 0" : "without ADIABATIC nothing becomes warm");
-  return law;
-}
-
-/// HARDENING=JOHNSON COOK, also with the rate of the same law, which is that of the plastic strain.
-void set_johnson_cook(AbaqusData& data, const AbaqusMaterial& material, const MaterialKeys& keys) {
-  InnerKeys<JohnsonCookSettings> law = johnson_cook_strength(data, *material.option("PLASTIC"), keys);
-  if (const AbaqusBlock* rate = material.option("RATEDEPENDENT")) {
-    if (rate->option("TYPE") != "JOHNSONCOOK")
-      data.report.reject(rate->place, "*RATE DEPENDENT beside HARDENING=JOHNSON COOK", "give TYPE=JOHNSON COOK");
-    const DataLine card = only_card(*rate, "C and the rate of reference");
-    const DataFields f(card);
-    law.set("rate_coefficient", f.number(0, "C"));
-    law.set("reference_rate", f.number(1, "rate of reference"));
-    keys.set("strain_rate", "plastic");
-  }
-  keys.set("johnson_cook", law.value());
-}
-
-void set_strength(AbaqusData& data, const AbaqusMaterial& material, const MaterialKeys& keys) {
+void set_strength(AbaqusData& data, const WrittenMaterial& written, const MaterialKeys& keys) {
+  const AbaqusMaterial& material = written.deck;
   if (material.option("PLASTIC")->option("HARDENING") == "JOHNSONCOOK") {
-    set_johnson_cook(data, material, keys);
+    set_johnson_cook(data, written, keys);
     return;
   }
   const std::vector<Curve> curves = curves_of(material);
@@ -220,21 +148,56 @@ void set_strength(AbaqusData& data, const AbaqusMaterial& material, const Materi
   }
 }
 
-void set_plasticity(AbaqusData& data, const AbaqusMaterial& material, MaterialKeys keys) {
+void set_plasticity(AbaqusData& data, const WrittenMaterial& material, MaterialKeys keys) {
   set_strength(data, material, keys);
-  if (const AbaqusBlock* failure = material.option("SHEARFAILURE")) {
+  if (const AbaqusBlock* failure = material.deck.option("SHEARFAILURE")) {
     const DataLine card = only_card(*failure, "the plastic strain at failure");
     keys.from(card_of(*failure, card.place));
     keys.set("erosion_strain", DataFields(card).number(0, "plastic strain at failure"));
   }
 }
 
-/// Where the heat of plastic work stays, it expands the material: the one thing that would need temperatures here.
-void require_no_expansion(AbaqusData& data, const AbaqusMaterial& material) {
-  const AbaqusBlock* expansion = material.option("EXPANSION");
-  if (expansion == nullptr || !is_adiabatic(data) || material.option("PLASTIC") == nullptr) return;
-  data.report.reject(expansion->place, "*EXPANSION of a plastic material in an ADIABATIC step",
-                     "leave one of the two out: temperatures are not computed");
+/// Moduli; where plastic work warms it and it expands, the bulk modulus as part of an equation of state.
+void set_elasticity(const WrittenMaterial& material, double density, MaterialKeys keys) {
+  const AbaqusBlock& block = required(material.deck, "ELASTIC", "*ELASTIC");
+  const DataLine elastic = only_card(block, "Young's modulus and Poisson's ratio");
+  const DataFields f(elastic);
+  const double young = f.number(0, "Young's modulus"), poisson = f.number(1, "Poisson's ratio", 0.0);
+  const AbaqusHeat heat = material.deck.heat();
+  keys.from({"*ELASTIC", elastic.place});
+  if (!material.warms || heat.expansion == nullptr) {
+    keys.set("young_modulus", young);
+    keys.set("poisson_ratio", poisson);
+    return;
+  }
+  if (!(poisson > -1 && poisson < 0.5))
+    fail_at(elastic.place,
+            fmt::format("*ELASTIC: Poisson's ratio: expected more than -1 and less than 0.5, got {}", poisson));
+  const EquationOfStateSettings pressure = expanding_pressure(heat, heat_constants(heat, material.deck.head->place),
+                                                              young / (3 * (1 - 2 * poisson)), density);
+  keys.set("shear_modulus", young / (2 * (1 + poisson)));
+  keys.from({"*EXPANSION", heat.expansion->place});
+  InnerKeys<EquationOfStateSettings> law;
+  law.set("form", "polynomial");
+  law.set("coefficients", pressure.coefficients);
+  keys.set("equation_of_state", law.value());
+}
+
+/// What heat does to it, or why it does nothing.
+void tell_heat(AbaqusData& data, const WrittenMaterial& material) {
+  const AbaqusHeat heat = material.deck.heat();
+  const AbaqusBlock* plastic = material.deck.option("PLASTIC");
+  if (!material.warms) {
+    tell_unused_heat(data, heat, plastic == nullptr ? "nothing warms it" : "without ADIABATIC nothing becomes warm");
+    return;
+  }
+  if (heat.expansion != nullptr)
+    data.report.understood(
+        fmt::format("*EXPANSION ({}): a pressure that grows with the plastic work (equation_of_state); beside it the "
+                    "elastic one is that of *ELASTIC, less by half of the change of the volume where this grows",
+                    heat.expansion->place.text()));
+  const bool softens = plastic->option("HARDENING") == "JOHNSONCOOK";
+  if (heat.expansion == nullptr && !softens) tell_unused_heat(data, heat, "nothing depends on its temperature");
 }
 
 /// FACTOR of *FIXED MASS SCALING, by which all masses are larger than those of the materials.
@@ -254,24 +217,21 @@ double mass_factor(AbaqusData& data) {
   return factor;
 }
 
-void write_material(AbaqusData& data, const std::string& key, const AbaqusMaterial& material, double mass_factor,
-                    DeckScene& scene) {
-  const DataLine density = only_card(required(material, "DENSITY", "*DENSITY"), "the density"),
-                 elastic = only_card(required(material, "ELASTIC", "*ELASTIC"), "Young's modulus and Poisson's ratio");
-  const DataFields of_density(density), f(elastic);
-  const bool plastic = material.option("PLASTIC") != nullptr;
-  auto keys = scene.entry<Material>("material", {"*MATERIAL", material.head->place});
-  keys.set("name", data.material_name(key));
-  keys.set("model", plastic ? "von_mises" : "elastic");
-  keys.from({"*DENSITY", density.place});
-  keys.set("density", mass_factor * of_density.number(0, "density"));
-  keys.from({"*ELASTIC", elastic.place});
-  keys.set("young_modulus", f.number(0, "Young's modulus"));
-  keys.set("poisson_ratio", f.number(1, "Poisson's ratio", 0.0));
-  require_no_expansion(data, material);
-  if (!plastic) return;
-  keys.from(card_of(*material.option("PLASTIC"), material.option("PLASTIC")->place));
-  set_plasticity(data, material, keys);
+void write_material(AbaqusData& data, const WrittenMaterial& material, DeckScene& scene) {
+  const DataLine card = only_card(required(material.deck, "DENSITY", "*DENSITY"), "the density");
+  const double density = DataFields(card).number(0, "density");
+  const AbaqusBlock* plastic = material.deck.option("PLASTIC");
+  auto keys = scene.entry<Material>("material", {"*MATERIAL", material.deck.head->place});
+  keys.set("name", data.material_name(material.key));
+  keys.set("model", plastic != nullptr ? "von_mises" : "elastic");
+  keys.from({"*DENSITY", card.place});
+  keys.set("density", material.mass_factor * density);
+  set_elasticity(material, density, keys);
+  if (plastic != nullptr) {
+    keys.from(card_of(*plastic, plastic->place));
+    set_plasticity(data, material, keys);
+  }
+  tell_heat(data, material);
 }
 
 /// ALPHA of all materials, which has to be one.
@@ -337,9 +297,12 @@ void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
   write_damping(data, materials, scene);
   const double factor = mass_factor(data);
   for (const AbaqusBody& body : data.bodies) {
-    if (written.insert(body.material).second)
-      write_material(data, body.material, materials.at(body.material), factor, scene);
+    if (!written.insert(body.material).second) continue;
+    const AbaqusMaterial& material = materials.at(body.material);
+    const bool warms = is_adiabatic(data.deck) && material.option("PLASTIC") != nullptr;
+    write_material(data, {material, body.material, factor, warms}, scene);
   }
+  tell_unused_temperatures(data);
 }
 
 }  // namespace pinball

@@ -1,5 +1,7 @@
 #include "abaqus_scene.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <solver/base/error.hpp>
@@ -13,13 +15,25 @@ namespace pinball {
 
 namespace {
 
-/// Whether a data line has more than so many fields, or there is another one.
+/// Whether what a keyword has depends on temperature or fields: behind so many fields of its data lines. Where all
+/// lines are of the same ones, as a single line is, it does not. one_line: more lines are those of other temperatures.
 bool depends_on_more(const AbaqusBlock& block, std::size_t fields, bool one_line) {
   DataLines lines(block);
-  for (int count = 0; const auto card = lines.next(); ++count) {
-    if (!DataFields(*card).blank(fields) || (one_line && count > 0)) return true;
+  std::optional<std::vector<double>> first;
+  while (const auto card = lines.next()) {
+    std::vector<double> more;
+    for (const std::string_view entry : entries_of(card->text)) more.push_back(deck_number(entry).value_or(0.0));
+    more.erase(more.begin(), more.begin() + static_cast<std::ptrdiff_t>(std::min(fields, more.size())));
+    if (first && (one_line || more != *first)) return true;
+    first = more;
   }
   return false;
+}
+
+/// Whether its first field is all that it has.
+bool is_one_constant(const AbaqusBlock& block) {
+  return block.name == "SPECIFICHEAT" || block.name == "INELASTICHEATFRACTION" || block.name == "EXPANSION" ||
+         block.name == "DENSITY" || block.name == "SHEARFAILURE";
 }
 
 /// The first kind of load of *DLOAD or *DSLOAD that is not done; empty: none.
@@ -41,9 +55,8 @@ std::string rejected_data(const AbaqusBlock& block) {
   const bool is_isotropic = name == "ELASTIC" && (!block.has("TYPE") || block.option("TYPE").starts_with("ISO")),
              is_johnson_cook = name == "PLASTIC" && block.option("HARDENING") == "JOHNSONCOOK";
   const bool depends =
-      (name == "DENSITY" && depends_on_more(block, 1, true)) || (is_isotropic && depends_on_more(block, 2, true)) ||
-      (name == "SHEARFAILURE" && depends_on_more(block, 1, true)) ||
-      (is_johnson_cook && depends_on_more(block, 6, true)) ||
+      (is_one_constant(block) && depends_on_more(block, 1, true)) ||
+      (is_isotropic && depends_on_more(block, 2, true)) || (is_johnson_cook && depends_on_more(block, 6, true)) ||
       ((name == "PLASTIC" || name == "RATEDEPENDENT") && !is_johnson_cook && depends_on_more(block, 2, false));
   if (depends) return block.star_name() + " that depends on temperature or fields";
   if (name == "DLOAD" || name == "DSLOAD") return rejected_load(block);

@@ -105,7 +105,7 @@ void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
   std::map<std::string, std::size_t> known;
   const AbaqusBlock* last = nullptr;
   for (const AbaqusBlock& block : data.deck.blocks) {
-    if (block.name != "INITIALCONDITIONS") continue;
+    if (block.name != "INITIALCONDITIONS" || block.option("TYPE") == "TEMPERATURE") continue;
     last = &block;
     DataLines lines(block);
     while (const auto card = lines.next()) {

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "abaqus_data.hpp"
+
+/// What heat does to a material of Abaqus input: plastic work warms it where *DYNAMIC is ADIABATIC, and it softens
+/// (HARDENING=JOHNSON COOK) and expands.
+namespace pinball {
+
+/// Whether the heat of plastic work stays where it arises.
+bool is_adiabatic(const AbaqusDeck& deck);
+
+/// The options of a material that say what heat does; null: it has none.
+struct AbaqusHeat {
+  const AbaqusBlock* specific_heat = nullptr;
+  const AbaqusBlock* share = nullptr;  ///< INELASTIC HEAT FRACTION
+  const AbaqusBlock* expansion = nullptr;
+};
+
+/// Temperature of a material at the start, from INITIAL CONDITIONS, TYPE=TEMPERATURE; 0 where nothing gives one. Where
+/// it is not the same everywhere, it is refused.
+double initial_temperature(AbaqusData& data, const std::string& material);
+
+/// Heat capacity and share of plastic work that heats, of a plastic material in an ADIABATIC step. Throws InputError
+/// where SPECIFIC HEAT is missing.
+struct HeatConstants {
+  double specific_heat = 0;  ///< [energy/(mass temperature)]
+  double share = 0.9;        ///< [-]
+};
+HeatConstants heat_constants(const AbaqusHeat& heat, const DeckPlace& material);
+
+/// The pressure of a material that expands as plastic work warms it (docs/decks.md): a polynomial equation of state in
+/// the place of its bulk modulus. density: that of the deck.
+EquationOfStateSettings expanding_pressure(const AbaqusHeat& heat, const HeatConstants& constants, double bulk_modulus,
+                                           double density);
+
+/// Says what of these does nothing.
+void tell_unused_heat(AbaqusData& data, const AbaqusHeat& heat, const std::string& reason);
+/// The same of temperatures at the start that initial_temperature has not been asked for.
+void tell_unused_temperatures(AbaqusData& data);
+
+}  // namespace pinball
