@@ -143,6 +143,28 @@ TEST_F(DeckCards, ElementsOfUsersAreRefusedInOneSentence) {
             "  *SECTION_SOLID with ELFORM 101 (deck.k:15): an element that users have written: give 1 or 2");
 }
 
+TEST_F(DeckCards, FormsOfFullIntegrationHaveAssumedStrains) {
+  for (const char* form : {"2", "-1", "-2", "3", "18"}) {
+    std::string deck = cube;
+    deck.replace(deck.find("*SECTION_SOLID\n1,1"), 18, std::string("*SECTION_SOLID\n1,") + form);
+    EXPECT_EQ(scene(deck + elastic + ends).element.hourglass, HourglassControl::assumed_strain) << form;
+    EXPECT_THAT(translate(deck + elastic + ends).understood,
+                Contains(HasSubstr(std::string("ELFORM ") + form + ", full integration: elements of assumed strain")));
+  }
+}
+
+TEST_F(DeckCards, MaterialsThatAreRefusedAreThere) {
+  EXPECT_THAT(error(cube + "*MAT_SOIL_AND_FOAM\n1,1.\n" + ends), testing::Not(HasSubstr("has the number")));
+}
+
+TEST_F(DeckCards, SensorsEndNoRun) {
+  const std::string sensors = "*SENSOR_DEFINE_NODE_SET\n1,1,0,Y,,ACC,AVG\n*SENSOR_SWITCH\n1,,1,GT,7.0\n";
+  EXPECT_THAT(translate(cube + elastic + ends + sensors + "*TERMINATION_SENSOR\n1\n").ignored,
+              testing::IsSupersetOf({HasSubstr("*TERMINATION_SENSOR ("), HasSubstr("*SENSOR_SWITCH ("),
+                                     HasSubstr("*SENSOR_DEFINE_NODE_SET (")}));
+  EXPECT_THAT(error(cube + elastic + ends + sensors + "*SENSOR_CONTROL\n1\n"), HasSubstr("*SENSOR_CONTROL"));
+}
+
 /// A solid has another corner of its triangle twice than the card.
 TEST_F(DeckCards, TrianglesWhoseNormalPointsInwardsAreTold) {
   std::string wedge = cube;

@@ -38,6 +38,21 @@ void reject_shells_that_deform(DeckData& data) {
   }
 }
 
+/// What stands in the place of a form of elements that deform, or that there is none.
+void tell_form(DeckData& data, const DeckPart& part, std::int64_t form) {
+  if (is_of_own_shape(part, form) || form == 0 || form == 1) return;
+  if (is_of_full_integration(form)) {
+    data.report.understood(
+        fmt::format("part {}: ELFORM {}, full integration: elements of assumed strain in its place", part.id, form));
+    return;
+  }
+  data.report.reject(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form),
+                     is_of_users(form) ? "an element that users have written: give 1 or 2"
+                     : part.ten_nodes  ? "give 16"
+                                       : "give 1 or 2",
+                     part.solids);
+}
+
 }  // namespace
 
 void translate_parts(DeckData& data, const std::string& mesh_file, std::optional<std::int64_t> chosen_case,
@@ -58,24 +73,7 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
       data.report.understood(
           fmt::format("part {}: {} with volumes averaged over nodes", part.id, counted(part.wedges, "wedge")));
     }
-    // Rigid ones have no points of integration.
-    switch (part.is_rigid() || is_of_own_shape(part, form->second) ? 1 : form->second) {
-      case 0:
-      case 1:
-        break;
-      case 2:
-      case -1:
-      case -2:
-        data.report.understood(fmt::format(
-            "part {}: ELFORM {}, full integration: elements of assumed strain in its place", part.id, form->second));
-        break;
-      default:
-        data.report.reject(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second),
-                           is_of_users(form->second) ? "an element that users have written: give 1 or 2"
-                           : part.ten_nodes          ? "give 16"
-                                                     : "give 1 or 2",
-                           part.solids);
-    }
+    if (!part.is_rigid()) tell_form(data, part, form->second);
     const auto keys = scene.entry<Body>("body", {"*PART", part.place});
     keys.comment("");
     keys.set("name", part.body);

@@ -80,6 +80,12 @@ std::array<Point, 3> axes_by(const Point& x, const Point& in_plane, const DeckPl
 /// ELFORM of an element that users have written.
 constexpr bool is_of_users(std::int64_t form) { return form >= 101 && form <= 105; }
 
+/// ELFORM of hexahedra with more points of integration than one: 2 and its kin, 3 with rotations of nodes, 18 with
+/// enhanced strains.
+constexpr bool is_of_full_integration(std::int64_t form) {
+  return form == 2 || form == -1 || form == -2 || form == 3 || form == 18;
+}
+
 /// What keywords of a deck refer to by number, read before anything that refers to it. What returns something of a
 /// number throws InputError "FILE:LINE: ..." at `place` where the deck does not have it.
 class DeckData {

@@ -42,7 +42,7 @@ DeckHourglass hourglass_of(const DeckData& data, const DeckPart& part, const Dec
 
 bool is_fully_integrated(const DeckData& data, const DeckPart& part) {
   const auto section = data.section_form.find(part.section);
-  return section != data.section_form.end() && (section->second == 2 || section->second < 0);
+  return section != data.section_form.end() && is_of_full_integration(section->second);
 }
 
 DeckElement element_of(DeckData& data, const DeckPart& part, const DeckHourglass& defaults) {

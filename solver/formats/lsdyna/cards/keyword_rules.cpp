@@ -25,7 +25,8 @@ const std::vector<KeywordRule>& keyword_rules() {
       {"PART_CONTACT", done, "as PART; its friction is for contacts with FS -1, which are refused", in_other_units},
       {"PART_INERTIA", done, "as PART; mass, centre, inertia and velocities of a rigid part, also in a local system"},
       {"SECTION_SOLID", done,
-       "ELFORM 0 and 1; 2, -1, -2 as elements of assumed strain; 10 and 13 of tetrahedra, 15 and 115 of wedges, 16 and "
+       "ELFORM 0 and 1; 2, -1, -2, 3, 18 as elements of assumed strain; 10 and 13 of tetrahedra, 15 and 115 of wedges, "
+       "16 and "
        "17 of ten nodes",
        in_other_units},
       {"HOURGLASS", done,
@@ -34,6 +35,9 @@ const std::vector<KeywordRule>& keyword_rules() {
       {"CONTROL_HOURGLASS", done, "the same where a part has none, or blanks; without it IHQ 1, QH 0.1",
        in_other_units},
       {"CONTROL_TERMINATION", done, "ENDTIM, ENDCYC, DTMIN with ERODE; the other limits are not used, and reported"},
+      {"TERMINATION_SENSOR", ignored, "a run goes on to ENDTIM"},
+      {"SENSOR_DEFINE*", ignored, "of TERMINATION_SENSOR; SENSOR_CONTROL is refused"},
+      {"SENSOR_SWITCH", ignored, "the same"},
       {"CONTROL_TIMESTEP", done,
        "TSSFAC, DT2MS (mass scaling at the start), ERODE with DTMIN; LCTM, DT2MSF, DT2MSLC and IMSCL are refused"},
       {"CONTROL_BULK_VISCOSITY", done, "Q1 and Q2: coefficients sqrt(Q1) and Q2; without it 1.5 and 0.06",
@@ -182,6 +186,7 @@ const std::vector<KeywordRule>& keyword_rules() {
       {"CONTROL_SOLUTION", done, "SOLN is refused if not 0, the others are reported"},
       {"PARAMETER_DUPLICATION", ignored, ""},
       {"PARAMETER_TYPE", ignored, ""},
+      {"CONTROL_UNITS", ignored, "names of units"},
       {"COMMENT", ignored, ""},
       {"KEYWORD_ID", ignored, ""},
       {"MODULE*", ignored, ""},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <utility>
 
 #include <solver/base/error.hpp>
@@ -46,8 +47,8 @@ void describe_mesh(const DeckData& data, DeckReport& report) {
   }
 }
 
-/// By their numbers: whatever their order in the deck, the scene is the same.
-void translate_materials(DeckData& data, DeckScene& scene) {
+/// By their numbers: whatever their order in the deck, the scene is the same. Returns these.
+std::set<std::int64_t> translate_materials(DeckData& data, DeckScene& scene) {
   std::map<std::int64_t, const KeywordBlock*> materials;
   GivenOnce given;
   for (const KeywordBlock& block : data.deck.blocks) {
@@ -60,6 +61,16 @@ void translate_materials(DeckData& data, DeckScene& scene) {
   for (const auto& [number, block] : materials) {
     const auto own = limits.find(number);
     translate_material(data, *block, own == limits.end() ? DeckLimits{} : own->second, scene);
+  }
+  std::set<std::int64_t> numbers;
+  for (const auto& [number, block] : materials) numbers.insert(number);
+  return numbers;
+}
+
+void require_materials(const DeckData& data, const std::set<std::int64_t>& numbers) {
+  for (const DeckPart& part : data.parts) {
+    if (!numbers.contains(part.material))
+      fail_at(part.place, fmt::format("no *MAT_... has the number {}", part.material));
   }
 }
 
@@ -79,7 +90,7 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   translate_parts(data, options.mesh_file(path), options.chosen_case, bodies);
   translate_node_codes(data, boundary);
   translate_single_point_constraints(data, boundary);
-  translate_materials(data, scene);
+  const std::set<std::int64_t> materials = translate_materials(data, scene);
   translate_rigid_bodies(data, bodies);
   for (const KeywordBlock& block : deck.blocks) {
     const KeywordRule* rule = rule_of(keyword_alias(block.name));
@@ -88,6 +99,7 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   tell_order_of_velocities(data);
   tell_reversed(data.mesh.mesh, data.pressed, report);
   translate_probes(data, boundary);
+  if (!report.rejects()) require_materials(data, materials);
   data.tell_unused_definitions();
   describe_mesh(data, report);
   for (const std::string& note : deck.parameters.notes()) report.understood(note);
