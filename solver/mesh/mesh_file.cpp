@@ -72,7 +72,7 @@ void add_groups(const std::vector<Set>& sets, MeshGroup::Kind kind, std::vector<
 }  // namespace
 
 void append_element(MeshFile& file, const ElementType& type, std::span<const std::int32_t> nodes) {
-  if (type.has_edge_nodes) {
+  if (type.has_edge_nodes && type.shape == SolidShape::tetrahedron) {
     EdgeNodes& of = file.edge_nodes.emplace_back();
     of.element = static_cast<std::int32_t>(file.mesh.hexahedra.size());
     std::copy_n(nodes.begin() + 4, of.nodes.size(), of.nodes.begin());

@@ -275,6 +275,8 @@ def check_the_format(program, folder):
 CORNERS = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
 EDGES = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7)]
 
+CENTRES = [(0.5, 0.5, 0), (0.5, 0.5, 1), (0.5, 0, 0.5), (1, 0.5, 0.5), (0.5, 1, 0.5), (0, 0.5, 0.5), (0.5, 0.5, 0.5)]
+
 
 def middle(a, b):
     return tuple((p + q) / 2 for p, q in zip(CORNERS[a], CORNERS[b]))
@@ -285,25 +287,25 @@ def lines(rows):
 
 
 def check_the_element(program, folder):
-    """A hexahedron of twenty nodes is that of its corners, in each format that has it."""
-    nodes = [tuple(2 * x for x in node) for node in CORNERS + [middle(a, b) for a, b in EDGES]]
-    numbers = range(1, 21)
-    vtk = (f"# vtk DataFile Version 3.0\ncube\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 20 double\n{lines(nodes)}CELLS 1 21\n20 "
-           + lines([range(20)]) + "CELL_TYPES 1\n25\n")
-    gmsh = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n20\n" + lines([n, *node] for n, node in zip(numbers, nodes))
-            + "$EndNodes\n$Elements\n1\n1 17 2 1 1 " + lines([numbers]) + "$EndElements\n")
-    abaqus = ("*NODE\n" + lines([n, *node] for n, node in zip(numbers, nodes)).replace(" ", ", ") + "*ELEMENT, TYPE=C3D20R\n"
-              + "1, " + ", ".join(map(str, range(1, 16))) + ",\n" + ", ".join(map(str, range(16, 21))) + "\n")
+    """A hexahedron of 27 nodes is that of its corners, in each format that has it."""
+    nodes = [tuple(2 * x for x in node) for node in CORNERS + [middle(a, b) for a, b in EDGES] + CENTRES]
+    numbers = range(1, 28)
+    vtk = (f"# vtk DataFile Version 3.0\ncube\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 27 double\n{lines(nodes)}CELLS 1 28\n27 "
+           + lines([range(27)]) + "CELL_TYPES 1\n29\n")
+    gmsh = ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n27\n" + lines([n, *node] for n, node in zip(numbers, nodes))
+            + "$EndNodes\n$Elements\n1\n1 12 2 1 1 " + lines([numbers]) + "$EndElements\n")
+    abaqus = ("*NODE\n" + lines([n, *node] for n, node in zip(numbers, nodes)).replace(" ", ", ") + "*ELEMENT, TYPE=C3D27R\n"
+              + "1, " + ", ".join(map(str, range(1, 16))) + ",\n" + ", ".join(map(str, range(16, 28))) + "\n")
     for name, text in (("cube.vtk", vtk), ("cube.msh", gmsh), ("cube.inp", abaqus)):
         (folder / name).write_text(text)
-        scene = folder / "twenty.toml"
+        scene = folder / "many_nodes.toml"
         kind = 'type = "gmsh"' if name == "cube.msh" else 'type = "file"'
         scene.write_text(FILES + f'[[body]]\nname = "cube"\nmaterial = "stuff"\nmesh = {{ {kind}, file = "{name}" }}\n')
         summary, _ = run(program, scene, folder / f"{name}.out")
         assert (summary["elements"], summary["nodes"]) == (1, 8), (name, summary)
         assert abs(summary["bodies"][0]["mass_initial"] / 8000 - 1) < 1e-12, (name, summary)
         told = call(program, "info", scene)
-        assert "20-node hexahedra, by their corners" in told.stdout + told.stderr, (name, told.stdout, told.stderr)
+        assert "27-node hexahedra, by their corners" in told.stdout + told.stderr, (name, told.stdout, told.stderr)
 
 
 def check_all(program, tree):

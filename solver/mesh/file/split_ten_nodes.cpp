@@ -34,20 +34,11 @@ Corners4 corners_of(const MeshFile& file, const EdgeNodes& of) {
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// Formats number nodes in different orders: where one was taken for another, this finds it.
 void require_middles(const MeshFile& file, const EdgeNodes& of) {
-  constexpr double farthest = 0.35;  // from the middle, over the length of the edge; 0.21 where it bends by 90 degrees
   const Corners4 corners = corners_of(file, of);
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const Point &a = file.mesh.nodes[corners[edges[i][0]]], &b = file.mesh.nodes[corners[edges[i][1]]];
-    const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
-    if (distance(file.mesh.nodes[of.nodes[i]], middle) <= farthest * distance(a, b)) continue;
-    throw InputError(fmt::format(
-        "{}: {}: node {} is not near the middle of its edge, from node {} to {}: expected "
-        "four corners, then the nodes of the edges",
-        place_of_element(file, of.element), element_name(file, of.element), number_of(file.node_ids, of.nodes[i]),
-        number_of(file.node_ids, corners[edges[i][0]]), number_of(file.node_ids, corners[edges[i][1]])));
-  }
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    require_middle(file, of.element, of.nodes[i], corners[edges[i][0]], corners[edges[i][1]],
+                   "four corners, then the nodes of the edges");
 }
 
 void add_eight(const MeshFile& file, const EdgeNodes& of, std::vector<Corners8>& elements) {
@@ -70,11 +61,26 @@ std::int32_t node_of_corner(const MeshFile& file, std::int32_t first, int corner
   return file.mesh.hexahedra[first + 4 + corner][tetrahedron_corner(at)];
 }
 
+/// Whether the eight from `first` on are those of a hexahedron, which have eight corners.
+bool is_of_hexahedron(const MeshFile& file, std::int32_t first) {
+  const Corners8& corners = file.mesh.hexahedra[first];
+  return corners[2] != corners[3];
+}
+
+/// Element i of the eight at each corner j has the node between corners i and j.
+void add_hexahedron(const MeshFile& file, std::int32_t first, EdgeMiddles& middles) {
+  for (int i = 0; i < 8; ++i) {
+    for (int j = i + 1; j < 8; ++j)
+      middles.add(file.mesh.hexahedra[first + i][i], file.mesh.hexahedra[first + j][j],
+                  file.mesh.hexahedra[first + i][j]);
+  }
+}
+
 void split_faces(FaceSet& set, const EdgeMiddles& middles) {
   std::vector<Corners4> faces;
   for (const Corners4& face : set.faces) {
-    const std::vector<Corners4> triangles = middles.triangles_of(face);
-    faces.insert(faces.end(), triangles.begin(), triangles.end());
+    const std::vector<Corners4> pieces = middles.pieces_of(face);
+    faces.insert(faces.end(), pieces.begin(), pieces.end());
   }
   set.faces = std::move(faces);
 }
@@ -100,9 +106,14 @@ void split_members(MeshSet& set, const std::vector<std::int32_t>& first) {
 
 }  // namespace
 
-/// The corner elements come behind the four inside, and have the nodes of the edges in the places of the other ends.
+/// Of tetrahedra the corner elements come behind the four inside, and have the nodes of the edges in the places of the
+/// other ends. Of hexahedra there are these alone.
 EdgeMiddles::EdgeMiddles(const MeshFile& file) {
   for (const std::int32_t first : file.eights) {
+    if (is_of_hexahedron(file, first)) {
+      add_hexahedron(file, first, *this);
+      continue;
+    }
     std::array<std::int32_t, 6> nodes{};
     for (std::size_t i = 0; i < edges.size(); ++i) nodes[i] = node_of_corner(file, first, edges[i][0], edges[i][1]);
     Corners4 corners{};
@@ -112,13 +123,21 @@ EdgeMiddles::EdgeMiddles(const MeshFile& file) {
 }
 
 Corners8 unsplit(const MeshFile& file, std::int32_t first) {
+  if (is_of_hexahedron(file, first)) {
+    Corners8 corners{};
+    for (int i = 0; i < 8; ++i) corners[i] = file.mesh.hexahedra[first + i][i];
+    return corners;
+  }
   const auto corner = [&](int i) { return node_of_corner(file, first, i, i); };
   return tetrahedron(corner(0), corner(1), corner(2), corner(3));
 }
 
 void EdgeMiddles::add(const std::array<std::int32_t, 4>& corners, const std::array<std::int32_t, 6>& nodes) {
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    middle_.try_emplace(std::minmax(corners[edges[i][0]], corners[edges[i][1]]), nodes[i]);
+  for (std::size_t i = 0; i < edges.size(); ++i) add(corners[edges[i][0]], corners[edges[i][1]], nodes[i]);
+}
+
+void EdgeMiddles::add(std::int32_t a, std::int32_t b, std::int32_t middle) {
+  middle_.try_emplace(std::minmax(a, b), middle);
 }
 
 std::int32_t EdgeMiddles::of(std::int32_t a, std::int32_t b) const {
@@ -126,15 +145,42 @@ std::int32_t EdgeMiddles::of(std::int32_t a, std::int32_t b) const {
   return found == middle_.end() ? -1 : found->second;
 }
 
-std::vector<std::array<std::int32_t, 4>> EdgeMiddles::triangles_of(const std::array<std::int32_t, 4>& face) const {
+std::vector<std::array<std::int32_t, 4>> EdgeMiddles::pieces_of(const std::array<std::int32_t, 4>& face) const {
   std::vector<std::int32_t> c;  // different ones, in their order
   for (const std::int32_t node : face) {
     if (std::ranges::find(c, node) == c.end()) c.push_back(node);
   }
-  std::array<std::int32_t, 3> m{-1, -1, -1};
-  for (std::size_t i = 0; i < 3 && c.size() == 3; ++i) m[i] = of(c[i], c[(i + 1) % 3]);
-  if (std::ranges::min(m) < 0) return {face};
+  std::array<std::int32_t, 4> m{-1, -1, -1, -1};
+  for (std::size_t i = 0; i < c.size() && c.size() >= 3; ++i) m[i] = of(c[i], c[(i + 1) % c.size()]);
+  const std::int32_t centre = c.size() == 4 ? of(c[0], c[2]) : 0;
+  if (c.size() < 3 || centre < 0 || *std::min_element(m.begin(), m.begin() + c.size()) < 0) return {face};
+  if (c.size() == 4)
+    return {
+        {c[0], m[0], centre, m[3]}, {m[0], c[1], m[1], centre}, {centre, m[1], c[2], m[2]}, {m[3], centre, m[2], c[3]}};
   return {{c[0], m[0], m[2], m[2]}, {m[0], c[1], m[1], m[1]}, {m[2], m[1], c[2], c[2]}, {m[0], m[1], m[2], m[2]}};
+}
+
+void require_middle(const MeshFile& file, std::int32_t element, std::int32_t node, std::int32_t a, std::int32_t b,
+                    const char* expected) {
+  constexpr double farthest = 0.35;  // from the middle, over the length of the edge; 0.21 where it bends by 90 degrees
+  const Point &x = file.mesh.nodes[a], &y = file.mesh.nodes[b];
+  const Point middle{0.5 * (x[0] + y[0]), 0.5 * (x[1] + y[1]), 0.5 * (x[2] + y[2])};
+  if (distance(file.mesh.nodes[node], middle) <= farthest * distance(x, y)) return;
+  throw InputError(fmt::format("{}: {}: node {} is not near the middle of its edge, from node {} to {}: expected {}",
+                               place_of_element(file, element), element_name(file, element),
+                               number_of(file.node_ids, node), number_of(file.node_ids, a), number_of(file.node_ids, b),
+                               expected));
+}
+
+void put_pieces(MeshFile& file, std::vector<Corners8> pieces, const std::vector<std::int32_t>& first,
+                const EdgeMiddles& middles) {
+  file.mesh.hexahedra = std::move(pieces);
+  repeat(file.element_ids, first);
+  repeat(file.part, first);
+  repeat(file.line, first);
+  for (MeshLines& lines : file.lines_of) lines.first = first[lines.first];
+  for (FaceSet& set : file.face_sets) split_faces(set, middles);
+  for (MeshSet& set : file.element_sets) split_members(set, first);
 }
 
 std::vector<std::int32_t> split_ten_nodes(MeshFile& file) {
@@ -163,13 +209,7 @@ std::vector<std::int32_t> split_ten_nodes(MeshFile& file) {
     ++next;
   }
   first.push_back(static_cast<std::int32_t>(elements.size()));
-  file.mesh.hexahedra = std::move(elements);
-  repeat(file.element_ids, first);
-  repeat(file.part, first);
-  repeat(file.line, first);
-  for (MeshLines& lines : file.lines_of) lines.first = first[lines.first];
-  for (FaceSet& set : file.face_sets) split_faces(set, middles);
-  for (MeshSet& set : file.element_sets) split_members(set, first);
+  put_pieces(file, std::move(elements), first, middles);
   file.notes.push_back(fmt::format("{}: {}, each as eight of four nodes", file.path,
                                    counted(split, "tetrahedron of ten nodes", "tetrahedra of ten nodes")));
   file.edge_nodes.clear();

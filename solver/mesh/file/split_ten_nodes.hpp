@@ -21,10 +21,11 @@ namespace pinball {
 /// bits cannot number.
 std::vector<std::int32_t> split_ten_nodes(MeshFile& file);
 
-/// The tetrahedron of ten nodes, between its corners, of which the eight that begin at `first` have been made.
+/// The element between its corners of which the eight that begin at `first` have been made: a tetrahedron of ten nodes,
+/// or a hexahedron of twenty (split_twenty_nodes.hpp).
 Corners8 unsplit(const MeshFile& file, std::int32_t first);
 
-/// Nodes in the middle of the edges of tetrahedra of ten nodes.
+/// Nodes in the middle of the edges of elements of ten and twenty nodes, and of the faces of the latter.
 class EdgeMiddles {
  public:
   EdgeMiddles() = default;
@@ -32,14 +33,26 @@ class EdgeMiddles {
   explicit EdgeMiddles(const MeshFile& file);
   /// nodes: as of EdgeNodes.
   void add(const std::array<std::int32_t, 4>& corners, const std::array<std::int32_t, 6>& nodes);
-  /// The triangles of a face between corners, whichever of its corners stands twice; the face itself where its edges
-  /// have no nodes in their middles.
-  std::vector<std::array<std::int32_t, 4>> triangles_of(const std::array<std::int32_t, 4>& face) const;
+  /// The node between two others: of an edge, or of a face, in whose corners they are opposite.
+  void add(std::int32_t a, std::int32_t b, std::int32_t middle);
+  /// The four triangles or quadrilaterals of a face between corners, of a triangle whichever of its corners stands
+  /// twice; the face itself where its edges have no nodes in their middles.
+  std::vector<std::array<std::int32_t, 4>> pieces_of(const std::array<std::int32_t, 4>& face) const;
 
  private:
-  std::int32_t of(std::int32_t a, std::int32_t b) const;  ///< -1: the edge has none
+  std::int32_t of(std::int32_t a, std::int32_t b) const;  ///< -1: there is none
 
   std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middle_;  ///< by the ends, the lower first
 };
+
+/// Pieces of elements in the place of these, with their numbers, parts and lines, in their sets and in those of faces.
+/// first: as split_ten_nodes returns it.
+void put_pieces(MeshFile& file, std::vector<Corners8> pieces, const std::vector<std::int32_t>& first,
+                const EdgeMiddles& middles);
+
+/// Throws InputError for a node that is not near the middle of the edge from a to b of an element, where formats number
+/// nodes in another order. expected: that order.
+void require_middle(const MeshFile& file, std::int32_t element, std::int32_t node, std::int32_t a, std::int32_t b,
+                    const char* expected);
 
 }  // namespace pinball

@@ -321,12 +321,12 @@ TEST_F(Abaqus, BodiesMayDifferByQuotesAlone) {
 
 TEST_F(Abaqus, WhatCannotBeDoneIsRefusedInOneMessageBeforeTheMeshIsRead) {
   const std::string wrong =
-      "*NODE\nno number\n*ELEMENT, TYPE=S4R\n*ELEMENT, TYPE=C3D20\n*ELEMENT, TYPE=C3D20\n"
+      "*NODE\nno number\n*ELEMENT, TYPE=S4R\n*ELEMENT, TYPE=C3D27\n*ELEMENT, TYPE=C3D27\n"
       "*Shell Section, ELSET=a\n*MPC\n";
   EXPECT_EQ(error(wrong + abaqus_step("*FIXED MASS SCALING, DT=1e-7, TYPE=UNIFORM\n") + "*STEP\n*STATIC\n*END STEP\n"),
             "deck.inp: cannot be run, for this version has not:\n"
             "  *ELEMENT, TYPE=S4R (deck.inp:3)\n"
-            "  *ELEMENT, TYPE=C3D20 (2 times, first in deck.inp:4)\n"
+            "  *ELEMENT, TYPE=C3D27 (2 times, first in deck.inp:4)\n"
             "  *SHELL SECTION (deck.inp:6)\n"
             "  *MPC (deck.inp:7)\n"
             "  *FIXED MASS SCALING, TYPE=UNIFORM (deck.inp:11)\n"

@@ -107,7 +107,11 @@ void AbaqusData::read_steps() {
     if (block.name != "DYNAMIC" || steps.empty()) continue;
     DataLines lines(block);
     const DataLine card = lines.require("the period of the step");
-    const double period = DataFields(card).number(1, "period");
+    const DataFields f(card);
+    const double period = f.number(1, "period");
+    if (const double smallest = f.number(2, "smallest increment", 0.0); smallest != 0)
+      report.unused(card.place, fmt::format("*DYNAMIC: the smallest increment, {:.6g}", smallest),
+                    "CalculiX gives elements mass for it: here *FIXED MASS SCALING, DT= does");
     if (!(period > 0)) fail_at(card.place, fmt::format("*DYNAMIC: period: expected more than 0, got {}", period));
     steps.back().period = period;
     open = nullptr;

@@ -66,7 +66,7 @@ class AbaqusData {
   const AbaqusDeck& deck;
   const AbaqusMesh& mesh;
   DeckReport& report;
-  const EdgeMiddles middles;  ///< of tetrahedra of ten nodes
+  const EdgeMiddles middles;  ///< of elements of ten and twenty nodes
 
   std::vector<AbaqusBody> bodies;
   std::vector<DeckElement> body_elements;  ///< per body, when they are known

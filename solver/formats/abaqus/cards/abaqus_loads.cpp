@@ -41,6 +41,17 @@ class RepeatedLoads {
   int repeated_ = 0;  ///< of this card
 };
 
+/// Without the nodes that hexahedra of twenty nodes have got: a force on each node is one of the nodes of the deck.
+void set_given_nodes(const AbaqusData& data, const AbaqusNodes& nodes, const DeckKeys<NodeSelection>& keys) {
+  const auto is_new = [&](std::int32_t node) { return static_cast<std::size_t>(node) >= data.mesh.given_nodes; };
+  if (std::ranges::none_of(nodes.members, is_new)) return set_nodes(nodes, keys);
+  std::vector<std::int64_t> numbers;
+  for (const std::int32_t node : nodes.members) {
+    if (!is_new(node) && data.used[node]) numbers.push_back(data.mesh.file.node_ids[node]);
+  }
+  keys.set("nodes", numbers);
+}
+
 void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
                  DeckScene& scene) {
   const DataFields f(card);
@@ -58,7 +69,7 @@ void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& car
   keys.set("force", force);
   keys.set("each", true);
   set_curve(curve, magnitude, keys);
-  set_nodes(nodes, keys);
+  set_given_nodes(data, nodes, keys);
   for (const std::int32_t node : nodes.members)
     loads.add(fmt::format("that of node {} along {}", data.mesh.file.node_ids[node], "xyz"[degree - 1]));
 }
@@ -94,8 +105,8 @@ DeckKeys<Pressure> begin_pressure(AbaqusData& data, const AbaqusBlock& block, co
   return keys;
 }
 
-/// Elements to press on by the numbers of their faces: of the eight of a tetrahedron of ten nodes one, that tetrahedron
-/// between its corners.
+/// Elements to press on by the numbers of their faces: of the eight of an element of ten or twenty nodes one, that
+/// element between its corners.
 std::vector<std::pair<std::int32_t, Corners8>> whole_elements(const MeshFile& file,
                                                               std::span<const std::int32_t> elements) {
   std::vector<std::pair<std::int32_t, Corners8>> whole;
@@ -117,7 +128,7 @@ void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataL
     const int face = abaqus_face(corners, number);
     if (face < 0) fail_at(card.place, fmt::format("*DLOAD: this element has no face P{}", number));
     loads.add(fmt::format("P{} of element {}", number, file.element_ids[e]));
-    for (const auto& one : data.middles.triangles_of(corners_of_face(corners, face))) {
+    for (const auto& one : data.middles.pieces_of(corners_of_face(corners, face))) {
       faces.emplace_back();
       for (const std::int32_t node : one) faces.back().push_back(file.node_ids[node]);
     }

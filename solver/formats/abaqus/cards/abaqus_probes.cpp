@@ -19,6 +19,7 @@ class Probes {
   void add_nodes(const AbaqusBlock& block) {
     for (const std::int32_t node : data_.nodes(block.require("NSET"), block.place).members) {
       const std::size_t at = node;
+      if (at >= data_.mesh.given_nodes) continue;
       if (!data_.used[at]) {
         data_.report.ignore_node(block.place, block.star_name());
         continue;

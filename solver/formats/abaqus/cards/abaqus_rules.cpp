@@ -15,8 +15,7 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"NODE", mesh, "in Cartesian coordinates", "NSET INPUT SYSTEM=R"},
       {"ELEMENT", mesh,
        "C3D8R; C3D8 and its variants as elements of assumed strain; C3D6, C3D5 and C3D4 as collapsed hexahedra; C3D10 "
-       "as "
-       "eight of C3D4",
+       "as eight of C3D4, C3D20 and C3D20R as eight of C3D8",
        "TYPE ELSET INPUT"},
       {"NSET", mesh, "lists, GENERATE, of an ELSET, of an INSTANCE",
        "NSET ELSET GENERATE INSTANCE INTERNAL UNSORTED INPUT"},

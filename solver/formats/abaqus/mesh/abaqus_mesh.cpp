@@ -9,6 +9,7 @@
 
 #include <solver/mesh/element_types.hpp>
 #include <solver/mesh/file/split_ten_nodes.hpp>
+#include <solver/mesh/file/split_twenty_nodes.hpp>
 #include <solver/mesh/number_index.hpp>
 
 #include "abaqus_sets.hpp"
@@ -187,6 +188,10 @@ class AbaqusMeshReader {
     file_.element_ids.push_back(numbers[0]);
     file_.line.push_back(place.line);
     append_element(file_, type, nodes);
+    if (type.shape != SolidShape::hexahedron || !type.has_edge_nodes) return;
+    TwentyNodes& twenty = twenty_.emplace_back();
+    twenty.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size() - 1);
+    std::copy_n(nodes.begin() + 8, twenty.nodes.size(), twenty.nodes.begin());
   }
 
   /// Sections first; what is in none belongs to its instance as such.
@@ -220,7 +225,17 @@ class AbaqusMeshReader {
 
   /// When all sets and sections are known.
   void split() {
+    mesh_.given_nodes = file_.mesh.nodes.size();
     const std::vector<std::int32_t> first = split_ten_nodes(file_);
+    if (!first.empty()) {
+      for (TwentyNodes& one : twenty_) one.element = first[one.element];
+    }
+    follow(first);
+    follow(split_twenty_nodes(file_, twenty_));
+  }
+
+  /// first: as split_ten_nodes returns it.
+  void follow(const std::vector<std::int32_t>& first) {
     if (first.empty()) return;
     for (AbaqusRange& range : mesh_.ranges) {
       const std::size_t end = first[range.first_element + range.elements];
@@ -253,6 +268,7 @@ class AbaqusMeshReader {
   MeshFile file_;
   std::vector<NumberIndex> nodes_, elements_;  ///< per component, places counted from its first
   std::vector<NamedRange> named_;
+  std::vector<TwentyNodes> twenty_;
 };
 
 }  // namespace

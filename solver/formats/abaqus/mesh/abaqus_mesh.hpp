@@ -31,6 +31,7 @@ struct AbaqusKeys {
 /// The mesh of Abaqus input, and what is needed to find things in it by the deck's own labels.
 struct AbaqusMesh {
   MeshFile file;
+  std::size_t given_nodes = 0;  ///< behind these come those that hexahedra of twenty nodes get
   std::vector<AbaqusComponent> components;
   std::vector<AbaqusSection> sections;  ///< as the first of `file.parts`
   std::vector<AbaqusRange> ranges;      ///< per component
@@ -38,7 +39,7 @@ struct AbaqusMesh {
   AbaqusKeys keys;
 };
 
-/// NODE, ELEMENT (C3D8 and its kin; C3D6, C3D5 and C3D4 as collapsed hexahedra, C3D10 as eight of these), NSET, ELSET,
+/// NODE, ELEMENT (C3D8 and its kin; C3D6, C3D5 and C3D4 as collapsed hexahedra, C3D10 and C3D20 as eight), NSET, ELSET,
 /// SURFACE, in parts, instances and the assembly. Parts of the mesh are sections of instances; elements of no section
 /// are a part named for the instance. Sets and surfaces of an instance are named INSTANCE.NAME, and NAME where nothing
 /// else is named so; labels that are written alike but for quotes by their keys. With more than one component numbers

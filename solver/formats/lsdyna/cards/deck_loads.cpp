@@ -76,7 +76,7 @@ void translate_segment_load(DeckData& data, const KeywordBlock& block, DeckScene
     const FaceNumbers numbers = corners_of(block, f);
     std::array<std::int32_t, 4> places{};
     std::ranges::transform(numbers, places.begin(), [&](std::int64_t number) { return data.nodes.find(number); });
-    const auto triangles = data.middles.triangles_of(places);
+    const auto triangles = data.middles.pieces_of(places);
     pressed.faces.insert(pressed.faces.end(), triangles.begin(), triangles.end());
     if (triangles.size() == 1) return corners.push_back(numbers);  // perhaps with nodes that are not there
     for (const auto& triangle : triangles) {
