@@ -76,6 +76,25 @@ TEST_F(DeckContacts, MayBeTied) {
   EXPECT_EQ(build_model<double>(far).tie_counts[0].near, 4);
 }
 
+TEST_F(DeckContacts, OneWayAndMortarAreAsWithout) {
+  const auto given = [&](const std::string& name, const std::string& lines) {
+    return scene(two_cubes + "*CONTACT_" + name + "\n" + lines);
+  };
+  const std::string sides = "1,2,3,3\n0.3,0.1,5.\n";
+  for (const char* name :
+       {"AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", "ONE_WAY_SURFACE_TO_SURFACE", "AUTOMATIC_SURFACE_TO_SURFACE_MORTAR"}) {
+    const Scene s = given(name, sides);
+    const ContactPair& pair = s.contact_pairs.at(0);
+    EXPECT_THAT(pair.first.bodies, ElementsAre("cube")) << name;
+    EXPECT_THAT(pair.second.bodies, ElementsAre("part_2")) << name;
+    EXPECT_EQ(pair.static_friction, 0.3) << name;
+  }
+  EXPECT_EQ(given("AUTOMATIC_SINGLE_SURFACE_MORTAR", "0\n").contact.method, ContactMethod::pinball);
+  EXPECT_TRUE(given("AUTOMATIC_SINGLE_SURFACE_MORTAR_ID", "4,all\n0\n").contact_pairs.empty());
+  EXPECT_THAT(translate(two_cubes + "*CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE\n" + sides).understood,
+              testing::Contains(HasSubstr("both sides touch each other, not the first the second alone")));
+}
+
 TEST_F(DeckContacts, ThatWouldBeOthersAreRefused) {
   const auto refused = [&](const std::string& cards) { return error(two_cubes + cards); };
   EXPECT_THAT(refused("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,0,0,4\n"), HasSubstr("with SBOXID"));

@@ -118,7 +118,7 @@ DeckContact read_contact(DeckData& data, const KeywordBlock& block) {
   const Fields f = data.fields(first, layout::contact_sides), constants = data.fields(second, layout::contact_friction),
                scales = data.fields(third, layout::contact_scales);
   contact.card = {block.star_name(), first.place};
-  contact.single = block.name.ends_with("SINGLE_SURFACE") || block.name.ends_with("GENERAL");
+  contact.single = block.name.find("SINGLE_SURFACE") != std::string::npos || block.name.ends_with("GENERAL");
   contact.tied = block.name.starts_with("CONTACT_TIED_");
   contact.slave = side_of(data, block, f, 0);
   if (!contact.single) contact.master = side_of(data, block, f, 1);
@@ -184,6 +184,11 @@ void write_touching(DeckData& data, const std::vector<const DeckContact*>& touch
   for (const DeckContact* contact : touching)
     data.report.understood(
         fmt::format("{}: exact contact of faces and edges, without penalties", contact->card.text()));
+  for (const DeckContact* contact : touching) {
+    if (contact->card.keyword.find("ONE_WAY") != std::string::npos)
+      data.report.understood(
+          fmt::format("{}: both sides touch each other, not the first the second alone", contact->card.text()));
+  }
   if (touching.size() > 1)
     data.report.understood("where several contacts name the same two surfaces, the last one counts");
 }

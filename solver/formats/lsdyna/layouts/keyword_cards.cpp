@@ -122,9 +122,11 @@ void add_boundaries(Table& table) {
 void add_contacts(Table& table) {
   for (const char* name :
        {"AUTOMATIC_SINGLE_SURFACE", "AUTOMATIC_GENERAL", "AUTOMATIC_SURFACE_TO_SURFACE", "AUTOMATIC_NODES_TO_SURFACE",
-        "SINGLE_SURFACE", "SURFACE_TO_SURFACE", "NODES_TO_SURFACE", "ERODING_SINGLE_SURFACE",
-        "ERODING_SURFACE_TO_SURFACE", "ERODING_NODES_TO_SURFACE", "TIED_NODES_TO_SURFACE",
-        "TIED_NODES_TO_SURFACE_OFFSET", "TIED_SURFACE_TO_SURFACE", "TIED_SURFACE_TO_SURFACE_OFFSET"}) {
+        "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", "AUTOMATIC_SINGLE_SURFACE_MORTAR",
+        "AUTOMATIC_SURFACE_TO_SURFACE_MORTAR", "ONE_WAY_SURFACE_TO_SURFACE", "SINGLE_SURFACE", "SURFACE_TO_SURFACE",
+        "NODES_TO_SURFACE", "ERODING_SINGLE_SURFACE", "ERODING_SURFACE_TO_SURFACE", "ERODING_NODES_TO_SURFACE",
+        "TIED_NODES_TO_SURFACE", "TIED_NODES_TO_SURFACE_OFFSET", "TIED_SURFACE_TO_SURFACE",
+        "TIED_SURFACE_TO_SURFACE_OFFSET"}) {
     Lines lines{&layout::contact_sides, &layout::contact_friction, &layout::contact_scales};
     if (std::string_view(name).starts_with("ERODING")) lines.push_back(&layout::contact_eroding);
     lines.insert(lines.end(), layout::contact_optional.begin(), layout::contact_optional.end());
