@@ -39,6 +39,7 @@ class Contact {
       if (block.name == "CONTACTPAIR") read_pairs(block);
       if (block.name == "CONTACTEXCLUSIONS") exclusions_.read(block);
     }
+    write_walls(scene);
     if (all_ != nullptr) pairs_.insert(pairs_.begin(), Pair{all_, all_->place, "", "", {}});
     const std::vector<Touching> touching = what_touches();
     exclusions_.report_idle();
@@ -84,6 +85,35 @@ class Contact {
         pairs_.push_back({&block, card->place, f.text(0), f.text(1), friction});
       }
     }
+  }
+
+  /// Of general contact for all nodes, of a pair for those of its other surface.
+  void write_walls(DeckScene& scene) {
+    for (AbaqusWall& wall : data_.walls) {
+      if (all_ != nullptr) set_wall_friction(common_, *all_, begin_wall(data_, wall, scene));
+    }
+    std::erase_if(pairs_, [&](const Pair& pair) {
+      AbaqusWall* wall = data_.wall(pair.first);
+      const std::string& other = wall == nullptr ? pair.first : pair.second;
+      if (wall == nullptr) wall = data_.wall(pair.second);
+      if (wall == nullptr) return false;
+      if (pair.block->name != "CONTACTPAIR" || all_ != nullptr) {
+        data_.report.reject(pair.place, pair.block->star_name() + " with an analytical surface",
+                            "a CONTACT PAIR, or CONTACT INCLUSIONS, ALL EXTERIOR");
+        return true;
+      }
+      const auto keys = begin_wall(data_, *wall, scene);
+      keys.set("set", data_.surface(other, pair.place).set);
+      set_wall_friction(*pair.friction, *pair.block, keys);
+      return true;
+    });
+    tell_unused_walls(data_);
+  }
+
+  void set_wall_friction(const AbaqusFriction& friction, const AbaqusBlock& block, const DeckKeys<RigidWall>& keys) {
+    keys.set("friction", friction.sliding);
+    if (friction.at_rest > friction.sliding)
+      data_.report.unused(block.place, block.star_name() + ": friction at rest", "walls have that while sliding alone");
   }
 
   void read_pairs(const AbaqusBlock& block) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,18 @@ struct AbaqusRigidBody {
   unsigned held = 0;          ///< at all times: bits of x, y, z, and behind these of rotations about them
   unsigned translations = 0;  ///< the same of directions that are held or moved at any time
   unsigned angles = 0;        ///< the same of rotations that are given as angles
+  bool is_wall = false;       ///< of an analytical surface, without bodies
   std::optional<Point> velocity{}, angular_velocity{};  ///< of the reference node, at the start
+};
+
+/// A *RIGID BODY that is a straight analytical surface.
+struct AbaqusWall {
+  DeckCard card;
+  std::set<std::string> keys;  ///< of the labels of its surface
+  Point point{};               ///< where its line begins [length]
+  Point normal{}, edge{};      ///< to its free side, along its line
+  double length = 0;           ///< of its line [length]
+  bool is_used = false;        ///< by a contact
 };
 
 /// What keywords of Abaqus input refer to by label.
@@ -73,6 +85,7 @@ class AbaqusData {
   std::vector<AbaqusStep> steps;           ///< one after the other, at least one
   std::vector<bool> used;                  ///< per node of the mesh: whether an element has it
   std::vector<AbaqusRigidBody> rigid;
+  std::vector<AbaqusWall> walls;
   std::vector<std::int32_t> rigid_of_node;  ///< per node: the rigid body whose elements have it, or -1; empty: none
 
   /// The nodes of a set, or one by its number, as the assembly calls them. Throws InputError where they are not there.
@@ -80,6 +93,10 @@ class AbaqusData {
   /// The rigid body whose reference node stands there; null: none.
   AbaqusRigidBody* rigid_at(std::int32_t node);
   bool has_reference(const AbaqusNodes& nodes);
+  /// The wall of a *RIGID BODY with an ANALYTICAL SURFACE; what is no wall is refused.
+  void add_wall(const AbaqusComponent& component, const AbaqusBlock& block);
+  /// The wall of a surface; null: it is none.
+  AbaqusWall* wall(const std::string& label);
   /// Places of the elements of a set, of the one with a number, or of all for an empty label. Throws InputError where
   /// they are not there.
   std::vector<std::int32_t> elements(const std::string& label, const DeckPlace& place) const;

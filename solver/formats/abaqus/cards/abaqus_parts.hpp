@@ -32,6 +32,11 @@ void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_fil
 void find_abaqus_rigid_bodies(AbaqusData& data);
 void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene);
 
+/// The [[rigid_wall]] of an analytical surface, for what meets it.
+DeckKeys<RigidWall> begin_wall(AbaqusData& data, AbaqusWall& wall, DeckScene& scene);
+/// Reports those that no contact has.
+void tell_unused_walls(AbaqusData& data);
+
 /// BOUNDARY: [[constraint]] and [[prescribed_velocity]], of reference nodes [[rigid_motion]].
 void translate_abaqus_boundary(AbaqusData& data, DeckScene& scene);
 void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene);

@@ -46,18 +46,30 @@ Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& element
   return norm(first) <= in_centre * size ? Point{} : first;
 }
 
+/// Place of the reference node in the mesh.
+std::int32_t reference_of(const AbaqusData& data, const std::string& label, const DeckPlace& place) {
+  const AbaqusNodes nodes = data.nodes(label, place);
+  if (nodes.members.size() != 1)
+    fail_at(place, fmt::format("*RIGID BODY: expected one reference node, got {}", nodes.members.size()));
+  return nodes.members[0];
+}
+
 AbaqusRigidBody read_rigid_body(AbaqusData& data, const AbaqusComponent& component, const AbaqusBlock& block) {
   const auto label = [&](const std::string& own) { return component.name.empty() ? own : component.name + '.' + own; };
   AbaqusRigidBody rigid;
   rigid.card = card_of(block, block.place);
+  if (block.has("ANALYTICALSURFACE")) {
+    if (block.has("ELSET")) data.report.reject(block.place, "*RIGID BODY of an ELSET and an ANALYTICAL SURFACE");
+    rigid.is_wall = true;
+    rigid.node = reference_of(data, label(block.require("REFNODE")), block.place);
+    data.add_wall(component, block);
+    return rigid;
+  }
   const std::string set = label(block.require("ELSET"));
   rigid.bodies = data.whole_bodies(set, block.place);
   if (rigid.bodies.empty())
     data.report.reject(block.place, "*RIGID BODY of a part of a section", "give its elements a section of their own");
-  const AbaqusNodes nodes = data.nodes(label(block.require("REFNODE")), block.place);
-  if (nodes.members.size() != 1)
-    fail_at(block.place, fmt::format("*RIGID BODY: expected one reference node, got {}", nodes.members.size()));
-  rigid.node = nodes.members[0];
+  rigid.node = reference_of(data, label(block.require("REFNODE")), block.place);
   const std::vector<std::int32_t> elements = data.elements(set, block.place);
   if (block.option("POSITION") != "CENTEROFMASS")
     rigid.offset = offset_of(data, elements, data.mesh.file.mesh.nodes[rigid.node]);
@@ -107,6 +119,12 @@ bool AbaqusData::has_reference(const AbaqusNodes& nodes) {
 
 void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene) {
   for (const AbaqusRigidBody& rigid : data.rigid) {
+    if (rigid.is_wall) {
+      if (rigid.held != 63U || rigid.velocity || rigid.angular_velocity)
+        data.report.reject(rigid.card.place, "*RIGID BODY, ANALYTICAL SURFACE that is not held",
+                           "hold its reference node (ENCASTRE), or give solids in its place");
+      continue;
+    }
     const auto keys = scene.entry<RigidBody>("rigid_body", rigid.card);
     keys.set("bodies", rigid.bodies);
     if ((rigid.held & 7U) != 0) keys.set("held", direction_names(rigid.held));

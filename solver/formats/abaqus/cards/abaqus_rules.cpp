@@ -20,7 +20,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"NSET", mesh, "lists, GENERATE, of an ELSET, of an INSTANCE",
        "NSET ELSET GENERATE INSTANCE INTERNAL UNSORTED INPUT"},
       {"ELSET", mesh, "the same", "ELSET GENERATE INSTANCE INTERNAL UNSORTED INPUT"},
-      {"SURFACE", mesh, "faces S1 to S6, the outside of a set or of all, nodes", "NAME TYPE=ELEMENT|NODE INTERNAL"},
+      {"SURFACE", mesh, "faces S1 to S6, the outside of a set or of all, nodes; CYLINDER of a RIGID BODY",
+       "NAME TYPE=ELEMENT|NODE|CYLINDER INTERNAL"},
       {"PART", done, "", "NAME"},
       {"END PART", done, ""},
       {"ASSEMBLY", done, "", "NAME"},
@@ -29,8 +30,10 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"END INSTANCE", done, ""},
       {"SOLID SECTION", done, "a body each in every instance", "ELSET MATERIAL CONTROLS ORIENTATION"},
       {"RIGID BODY", done,
-       "an ELSET of whole sections; BOUNDARY and INITIAL CONDITIONS of its REF NODE hold, move and throw it",
-       "REFNODE ELSET POSITION=INPUT|CENTEROFMASS ISOTHERMAL"},
+       "an ELSET of whole sections; BOUNDARY and INITIAL CONDITIONS of its REF NODE hold, move and throw it; a "
+       "straight "
+       "ANALYTICAL SURFACE that is held as a wall",
+       "REFNODE ANALYTICALSURFACE ELSET POSITION=INPUT|CENTEROFMASS ISOTHERMAL"},
       {"SECTION CONTROLS", done,
        "of each section: HOURGLASS and its factors; ENHANCED, RELAX STIFFNESS and none at all as elements of assumed "
        "strain",
