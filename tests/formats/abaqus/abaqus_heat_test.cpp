@@ -127,6 +127,29 @@ TEST_F(AbaqusHeat, TellsWhatDoesNothing) {
       << "it does not soften";
 }
 
+/// Conduction of a step of both is left out where an element gives a neighbour less than a hundredth: k t/(rho c h^2).
+TEST_F(AbaqusHeat, FlowsNowhere) {
+  const auto deck = [&](const std::string& options, const std::string& type = "C3D8RT") {
+    std::string text =
+        softening("*SPECIFIC HEAT\n4.E8\n" + options) + start("all, 20.\n") +
+        "*STEP\n*DYNAMIC TEMPERATURE-DISPLACEMENT, EXPLICIT\n, 1.0E-3\n*BULK VISCOSITY\n0.06, 1.2\n*END STEP\n";
+    text.replace(text.find("C3D8R"), 5, type);
+    return text;
+  };
+  const std::string share = "*INELASTIC HEAT FRACTION\n0.8\n";
+  const Scene s = scene(deck(share + "*CONDUCTIVITY\n30.,\n"));
+  EXPECT_EQ(s.time.end, 1e-3);
+  EXPECT_EQ(s.materials.at(0).johnson_cook->heat_share, 0.8);
+  EXPECT_THAT(translate(deck(share + "*CONDUCTIVITY\n30.,\n")).understood,
+              Contains(HasSubstr("elements give a neighbour up to 0.955 % of the difference of their temperatures")))
+      << "30*1e-3/(7.85e-9*4e8)";
+  EXPECT_THAT(error(deck(share + "*CONDUCTIVITY\n32.,\n")),
+              HasSubstr("*DYNAMIC TEMPERATURE-DISPLACEMENT with a CONDUCTIVITY that counts"));
+  EXPECT_EQ(error(deck(share)), no_error) << "none conducts";
+  EXPECT_THAT(error(deck("")), HasSubstr("*DYNAMIC TEMPERATURE-DISPLACEMENT without INELASTIC HEAT FRACTION"));
+  for (const char* type : {"C3D8T", "C3D8RT"}) EXPECT_EQ(error(deck(share, type)), no_error) << type;
+}
+
 /// What stands once, whatever its temperature, holds at all temperatures; so does a table of one temperature.
 TEST_F(AbaqusHeat, OneTemperatureIsAllTemperatures) {
   const std::string one = abaqus_cube +

@@ -3,10 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace pinball {
 
 namespace {
+
+constexpr double most_flow =
+    0.01;  ///< what an element gives each neighbour of the difference of their temperatures [-]
 
 bool gives_temperatures(const AbaqusBlock& block) {
   return block.name == "INITIALCONDITIONS" && block.option("TYPE") == "TEMPERATURE";
@@ -42,11 +48,38 @@ std::vector<bool> parts_of_material(const AbaqusData& data, const std::string& m
   return parts;
 }
 
+/// *DYNAMIC TEMPERATURE-DISPLACEMENT; null: there is none.
+const AbaqusBlock* flow_of_heat(const AbaqusDeck& deck) {
+  const auto is_it = [](const AbaqusBlock& block) {
+    return block.name == "DYNAMIC" && block.title.find('-') != std::string::npos;
+  };
+  const auto found = std::ranges::find_if(deck.blocks, is_it);
+  return found == deck.blocks.end() ? nullptr : &*found;
+}
+
+/// The shortest edge of the elements of a material [length].
+double shortest_edge(const AbaqusData& data, const std::string& material) {
+  constexpr std::array<std::array<int, 2>, 12> ends{
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  const std::vector<bool> has = parts_of_material(data, material);
+  const Mesh& mesh = data.mesh.file.mesh;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+    if (!has[data.mesh.file.part[e]]) continue;
+    for (const auto& [from, to] : ends) {
+      const std::int32_t a = mesh.hexahedra[e][from], b = mesh.hexahedra[e][to];
+      if (a != b) shortest = std::min(shortest, norm(minus(mesh.nodes[a], mesh.nodes[b])));
+    }
+  }
+  return shortest;
+}
+
 }  // namespace
 
 bool is_adiabatic(const AbaqusDeck& deck) {
-  return std::ranges::any_of(
-      deck.blocks, [](const AbaqusBlock& block) { return block.name == "DYNAMIC" && block.has("ADIABATIC"); });
+  return flow_of_heat(deck) != nullptr || std::ranges::any_of(deck.blocks, [](const AbaqusBlock& block) {
+           return block.name == "DYNAMIC" && block.has("ADIABATIC");
+         });
 }
 
 double initial_temperature(AbaqusData& data, const std::string& material) {
@@ -80,6 +113,26 @@ HeatConstants heat_constants(const AbaqusHeat& heat, const DeckPlace& material) 
       fail_at(heat.share->place, fmt::format("*INELASTIC HEAT FRACTION: expected 0 to 1, got {}", constants.share));
   }
   return constants;
+}
+
+void require_little_flow(AbaqusData& data, const std::string& material, const AbaqusHeat& heat,
+                         const HeatConstants& constants, double density) {
+  const AbaqusBlock* flow = flow_of_heat(data.deck);
+  if (flow == nullptr) return;
+  if (heat.share == nullptr)
+    data.report.reject(flow->place, flow->star_name() + " without INELASTIC HEAT FRACTION", "give it: 0.9, or 0");
+  if (heat.conductivity == nullptr) return;
+  const double conductivity = only_number(*heat.conductivity, "conductivity"), edge = shortest_edge(data, material),
+               share = conductivity * data.end() / (density * constants.specific_heat * edge * edge);
+  const std::string text =
+      fmt::format("elements give a neighbour up to {:.3g} % of the difference of their temperatures", 100 * share);
+  if (share > most_flow) {
+    data.report.reject(heat.conductivity->place, flow->star_name() + " with a CONDUCTIVITY that counts",
+                       text + ": *DYNAMIC, EXPLICIT, ADIABATIC where heat may stay");
+  } else {
+    data.report.understood(
+        fmt::format("{} ({}): heat stays where it is; {}", flow->star_name(), flow->place.text(), text));
+  }
 }
 
 EquationOfStateSettings expanding_pressure(const AbaqusHeat& heat, const HeatConstants& constants, double bulk_modulus,

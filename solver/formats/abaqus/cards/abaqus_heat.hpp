@@ -9,7 +9,7 @@
 /// (HARDENING=JOHNSON COOK) and expands.
 namespace pinball {
 
-/// Whether the heat of plastic work stays where it arises.
+/// Whether plastic work warms materials: a step is ADIABATIC, or of DYNAMIC TEMPERATURE-DISPLACEMENT.
 bool is_adiabatic(const AbaqusDeck& deck);
 
 /// The options of a material that say what heat does; null: it has none.
@@ -17,6 +17,7 @@ struct AbaqusHeat {
   const AbaqusBlock* specific_heat = nullptr;
   const AbaqusBlock* share = nullptr;  ///< INELASTIC HEAT FRACTION
   const AbaqusBlock* expansion = nullptr;
+  const AbaqusBlock* conductivity = nullptr;
 };
 
 /// Temperature of a material at the start, from INITIAL CONDITIONS, TYPE=TEMPERATURE; 0 where nothing gives one. Where
@@ -30,6 +31,12 @@ struct HeatConstants {
   double share = 0.9;        ///< [-]
 };
 HeatConstants heat_constants(const AbaqusHeat& heat, const DeckPlace& material);
+
+/// Of DYNAMIC TEMPERATURE-DISPLACEMENT: heat stays where it is here, which is what the deck means where elements give
+/// their neighbours next to nothing: k t/(rho c h^2), h the shortest edge. Tells how much, or refuses it. density: that
+/// of the deck.
+void require_little_flow(AbaqusData& data, const std::string& material, const AbaqusHeat& heat,
+                         const HeatConstants& constants, double density);
 
 /// The pressure of a material that expands as plastic work warms it (docs/decks.md): a polynomial equation of state in
 /// the place of its bulk modulus. density: that of the deck.

@@ -20,9 +20,9 @@ struct AbaqusMaterial {
 
   /// Options of a material stand once, but for *PLASTIC at another rate.
   void add(const AbaqusBlock& block) {
-    static const std::set<std::string> once{"DENSITY",       "ELASTIC",      "PLASTIC",
-                                            "RATEDEPENDENT", "SHEARFAILURE", "DAMPING",
-                                            "EXPANSION",     "SPECIFICHEAT", "INELASTICHEATFRACTION"};
+    static const std::set<std::string> once{
+        "DENSITY", "ELASTIC",   "PLASTIC",      "RATEDEPENDENT",         "SHEARFAILURE",
+        "DAMPING", "EXPANSION", "SPECIFICHEAT", "INELASTICHEATFRACTION", "CONDUCTIVITY"};
     const std::string rate = block.name == "PLASTIC" ? fmt::format(" at the rate {}", block.number("RATE", 0.0)) : "";
     if (!once.contains(block.name)) return;
     given.add(block.star_name() + rate + " of one material", block.place);
@@ -36,7 +36,9 @@ struct AbaqusMaterial {
     }
     return found;
   }
-  AbaqusHeat heat() const { return {option("SPECIFICHEAT"), option("INELASTICHEATFRACTION"), option("EXPANSION")}; }
+  AbaqusHeat heat() const {
+    return {option("SPECIFICHEAT"), option("INELASTICHEATFRACTION"), option("EXPANSION"), option("CONDUCTIVITY")};
+  }
 };
 
 /// A material as it is written: by its key, with a factor on its mass.

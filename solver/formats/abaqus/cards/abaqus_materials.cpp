@@ -184,7 +184,7 @@ void set_elasticity(const WrittenMaterial& material, double density, MaterialKey
 }
 
 /// What heat does to it, or why it does nothing.
-void tell_heat(AbaqusData& data, const WrittenMaterial& material) {
+void tell_heat(AbaqusData& data, const WrittenMaterial& material, double density) {
   const AbaqusHeat heat = material.deck.heat();
   const AbaqusBlock* plastic = material.deck.option("PLASTIC");
   if (!material.warms) {
@@ -197,7 +197,9 @@ void tell_heat(AbaqusData& data, const WrittenMaterial& material) {
                     "elastic one is that of *ELASTIC, less by half of the change of the volume where this grows",
                     heat.expansion->place.text()));
   const bool softens = plastic->option("HARDENING") == "JOHNSONCOOK";
-  if (heat.expansion == nullptr && !softens) tell_unused_heat(data, heat, "nothing depends on its temperature");
+  if (heat.expansion == nullptr && !softens) return tell_unused_heat(data, heat, "nothing depends on its temperature");
+  if (heat.specific_heat != nullptr)
+    require_little_flow(data, material.key, heat, heat_constants(heat, material.deck.head->place), density);
 }
 
 /// FACTOR of *FIXED MASS SCALING, by which all masses are larger than those of the materials.
@@ -231,7 +233,7 @@ void write_material(AbaqusData& data, const WrittenMaterial& material, DeckScene
     keys.from(card_of(*plastic, plastic->place));
     set_plasticity(data, material, keys);
   }
-  tell_heat(data, material);
+  tell_heat(data, material, density);
 }
 
 /// ALPHA of all materials, which has to be one.

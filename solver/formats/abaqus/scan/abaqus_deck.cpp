@@ -129,6 +129,7 @@ class AbaqusReader {
     if (words.empty() || words.front().empty()) fail_at(block.place, "expected a keyword behind the star");
     block.title = title_of(words.front());
     block.name = squeezed(words.front());
+    if (block.name == "DYNAMICTEMPERATURE-DISPLACEMENT") block.name = "DYNAMIC";  // told apart by its title
     if (block.name == "KEYWORD" || block.name.find('_') != std::string::npos)
       fail_at(block.place, fmt::format("*{}: expected Abaqus input, this is a keyword of an LS-DYNA file: name it .k, "
                                        ".key or .dyn",
