@@ -224,6 +224,12 @@ TEST_F(RadiossTest, WhatActsHasItsNumberOnce) {
   const std::string thrown = "/INIVEL/TRA/3\nflight\n" + twenty({1, 0, 0});
   EXPECT_EQ(error(cube_with(thrown)), no_error);
   EXPECT_THAT(error(cube_with(thrown + thrown)), HasSubstr("/INIVEL/3 is given twice"));
+  const auto held = [](const char* group) {
+    return "/BCS/5\nheld\n" + ten({"111 000", "0", group}) + "/GRNOD/NODE/" + group + "\ng\n" + ten({group});
+  };
+  const TranslatedDeck twice = translate(cube_with(held("1") + held("2")));
+  EXPECT_THAT(twice.understood, testing::Contains(HasSubstr("stands there once more, and holds beside the other")));
+  EXPECT_EQ(scene(cube_with(held("1") + held("2"))).fixed_constraints.size(), 2u);
 }
 
 TEST_F(RadiossTest, WhatNothingNamesIsReportedOnceForEachKeyword) {

@@ -34,12 +34,16 @@ void reject_of_parts(const RadiossData& data) {
   }
 }
 
-/// What acts has a number of its kind, once: of two the second would add to the first.
-void require_one_of_each(const RadiossDeck& deck) {
-  static const std::set<std::string> kinds{"BCS",  "IMPVEL", "IMPDISP", "IMPACC", "INIVEL",
-                                           "GRAV", "CLOAD",  "PLOAD",   "RWALL"};
+/// What acts has a number of its kind, once: of two the second would add to the first. Of /BCS both hold, as in the
+/// starter, which is reported.
+void require_one_of_each(const RadiossDeck& deck, DeckReport& report) {
+  static const std::set<std::string> kinds{"IMPVEL", "IMPDISP", "IMPACC", "INIVEL", "GRAV", "CLOAD", "PLOAD", "RWALL"};
   GivenOnce given;
+  std::set<std::int64_t> held;
   for (const RadiossBlock& block : deck.blocks) {
+    if (block.name == "BCS" && !block.numbers.empty() && !held.insert(block.id()).second)
+      report.understood(
+          fmt::format("{} ({}): stands there once more, and holds beside the other", block.title, block.place.text()));
     const std::string kind = block.name.substr(0, block.name.find('/'));
     if (kinds.contains(kind) && !block.numbers.empty()) given.add(fmt::format("/{}/{}", kind, block.id()), block.place);
   }
@@ -50,7 +54,7 @@ TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const 
   MeshFile mesh = radioss_mesh(deck);
   if (mesh.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (/BRICK), there are none");
   RadiossData data(deck, mesh, report);
-  require_one_of_each(deck);
+  require_one_of_each(deck, report);
   reject_of_parts(data);
   find_radioss_rigid_bodies(data);
   DeckScene scene, bodies, boundary;
