@@ -76,6 +76,12 @@ TEST_F(DeckContacts, MayBeTied) {
   EXPECT_EQ(build_model<double>(far).tie_counts[0].near, 4);
 }
 
+TEST_F(DeckContacts, InsideBodiesAreReported) {
+  EXPECT_THAT(translate(two_cubes + "*CONTACT_INTERIOR\n3\n").understood,
+              testing::Contains(HasSubstr("corners that are about to turn over resist in any case")));
+  EXPECT_EQ(scene(two_cubes + "*CONTACT_INTERIOR\n3\n").contact.method, ContactMethod::none);
+}
+
 TEST_F(DeckContacts, OneWayAndMortarAreAsWithout) {
   const auto given = [&](const std::string& name, const std::string& lines) {
     return scene(two_cubes + "*CONTACT_" + name + "\n" + lines);

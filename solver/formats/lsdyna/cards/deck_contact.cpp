@@ -28,7 +28,7 @@ struct DeckContact {
 };
 
 bool is_contact(const std::string& name) {
-  return name.starts_with("CONTACT_") && !name.starts_with("CONTACT_FORCE_TRANSDUCER");
+  return name.starts_with("CONTACT_") && !name.starts_with("CONTACT_FORCE_TRANSDUCER") && name != "CONTACT_INTERIOR";
 }
 
 std::vector<std::string> all_but(const DeckData& data, const std::vector<std::string>& bodies) {
@@ -208,6 +208,8 @@ bool translate_contact(DeckData& data, DeckScene& scene) {
   std::vector<DeckContact> contacts;
   for (const KeywordBlock& block : data.deck.blocks) {
     if (is_contact(block.name)) contacts.push_back(read_contact(data, block));
+    if (block.name == "CONTACT_INTERIOR")
+      for_each_card(block, [&](const Card& card) { data.fields(card, layout::contact_interior); });
   }
   name_contacts(contacts);
   std::vector<const DeckContact*> touching;

@@ -104,6 +104,7 @@ const std::vector<KeywordRule>& keyword_rules() {
       {"CONTACT_TIED_NODES_TO_SURFACE_OFFSET", done, "the same: offsets are not kept"},
       {"CONTACT_TIED_SURFACE_TO_SURFACE", done, "the same"},
       {"CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET", done, "the same"},
+      {"CONTACT_INTERIOR", done, "not used, and reported: corners that are about to turn over resist in any case"},
       {"CONTACT_FORCE_TRANSDUCER*", ignored, "output: history.csv has the contact force on each body"},
       {"LOAD_NODE_SET", done, "along an axis, on each node", !in_other_units, translate_node_load},
       {"LOAD_NODE_POINT", done, "the same", !in_other_units, translate_node_load},

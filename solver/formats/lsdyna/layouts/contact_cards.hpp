@@ -87,6 +87,16 @@ inline constexpr CardLayout contact_g{gap, number("SHLOFF").reported(of_shells_a
 inline constexpr std::array<const CardLayout*, 7> contact_optional{&contact_a, &contact_b, &contact_c, &contact_d,
                                                                    &contact_e, &contact_f, &contact_g};
 
+/// *CONTACT_INTERIOR
+inline constexpr std::string_view resists_in_any_case =
+    "corners that are about to turn over resist in any case "
+    "(element.folding_resistance)";
+inline constexpr CardLayout contact_interior{
+    whole("PSID1").reported(resists_in_any_case), whole("PSID2").reported(resists_in_any_case),
+    whole("PSID3").reported(resists_in_any_case), whole("PSID4").reported(resists_in_any_case),
+    whole("PSID5").reported(resists_in_any_case), whole("PSID6").reported(resists_in_any_case),
+    whole("PSID7").reported(resists_in_any_case), whole("PSID8").reported(resists_in_any_case)};
+
 /// *CONTROL_CONTACT
 inline constexpr std::string_view of_parts_friction = "give friction with *CONTACT_...",
                                   of_walls = "walls are exact, and have no stiffness";

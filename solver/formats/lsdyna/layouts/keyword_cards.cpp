@@ -132,6 +132,7 @@ void add_contacts(Table& table) {
     lines.insert(lines.end(), layout::contact_optional.begin(), layout::contact_optional.end());
     table.push_back({std::string("CONTACT_") + name, "", lines});
   }
+  table.push_back({"CONTACT_INTERIOR", "", {&layout::contact_interior}});
 }
 
 void add_controls(Table& table) {
