@@ -74,7 +74,7 @@ class ErodingBlocks {
   void persist(Lists& lists, StateArchive& archive) const {
     lists.persist(archive, surface_, edges_, spheres_, settings_, model_.nodes.count);
   }
-  bool follow(Lists& lists) const { return lists.follow_erosion(surface_, edges_); }
+  bool follow(Lists& lists) const { return lists.follow_erosion(surface_, edges_, spheres_); }
   /// Takes some of the elements that were on the surface at first, all in one step.
   void erode_next(std::size_t count) {
     std::vector<std::int64_t> eroded;

@@ -71,7 +71,7 @@ void FaceAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const std:
       lists_.invalidate();
       return;  // the search collects it anew
     }
-    if (lists_.follow_erosion(surface_, edges_)) choose_more();
+    if (lists_.follow_erosion(surface_, edges_, spheres_)) choose_more();
   }
   surface_.update(source);
 }

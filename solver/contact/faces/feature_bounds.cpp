@@ -1,6 +1,10 @@
 #include "feature_bounds.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <compare>
+#include <utility>
 
 #include <kernels/exec.hpp>
 
@@ -43,7 +47,7 @@ MovingBox<S> FeatureBounds<S>::box_of(const NodeRecords<S>& nodes, std::int32_t 
 }
 
 template <class S>
-void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface,
                               const SphereSurface<S>& spheres, const SurfaceMotion<S>& motion,
                               const ListScope<S>& scope) {
   motion_ = &motion;
@@ -52,33 +56,21 @@ void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<
   horizon_ = scope.horizon + 2 * last_step_;
   const std::int32_t segments = surface.segments().size();
   node_box_.resize(surface.slaves().size());
-  edge_box_.resize(edges.edges().size());
-  edge_size_.resize(edges.edges().size());
   facing_.resize(surface.segments().size());
   boxes_.reset(segments + spheres.count());
+  parallel_for("facing of segments", all_of(surface.segments().size()),
+               [&](std::int64_t i) { facing_[i] = facing_of(nodes, surface.segments()[i].node); });
+  if (order_.empty()) choose_order(surface);
+  find_directions(surface);
   parallel_for("boxes of nodes", all_of(node_box_.size()), [&](std::int64_t i) {
     node_box_[i] = box_of(nodes, surface.slaves()[i].node);
     widen(node_box_[i], static_cast<S>(scope.depth[i]));
   });
   parallel_for("boxes of segments", all_of(surface.segments().size()), [&](std::int64_t i) {
-    const auto& segment = surface.segments()[i];
     MovingBox<S> box = empty_box<S>();
     for (const std::int32_t slave : surface.slaves_of(i)) take(box, node_box_[slave]);
-    facing_[i] = facing_of(nodes, segment.node);
-    widen(box, static_cast<S>(near_gap) * segment.size);
-    boxes_.set(i, box);
-  });
-  parallel_for("boxes of edges", all_of(edge_box_.size()), [&](std::int64_t e) {
-    const auto& edge = edges.edges()[e];
-    MovingBox<S> box = node_box_[edge.slave[0]];
-    take(box, node_box_[edge.slave[1]]);
-    S size = 0;
-    for (const std::int32_t s : edges.segments_of(e)) {
-      size = std::max(size, surface.segments()[s].size);
-    }
-    widen(box, static_cast<S>(near_gap) * size);
-    edge_box_[e] = box;
-    edge_size_[e] = size;
+    widen(box, static_cast<S>(near_gap) * surface.segments()[i].size);
+    boxes_.set(place_[i], box);
   });
   parallel_for("boxes of spheres", all_of(spheres.spheres().size()), [&](std::int64_t i) {
     const auto& sphere = spheres.spheres()[i];
@@ -86,7 +78,85 @@ void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<
     widen(box, S(1.01) * sphere.radius);
     boxes_.set(segments + static_cast<std::int32_t>(i), box);
   });
-  find_facings(surface, edges);
+}
+
+/// Within a group of groups by body and by the axis that segments look along, those that are not active last: so that
+/// the groups of a surface look one way, and those on the two sides of a plate, or behind elements that may soon erode,
+/// are not of the same ones.
+template <class S>
+void FeatureBounds<S>::choose_order(const SegmentSurface<S>& surface) {
+  constexpr std::size_t part = ball_group<S> * ball_group<S>;
+  const std::size_t segments = surface.segments().size();
+  const auto way_of = [&](std::int32_t segment) {
+    if (!surface.active_segment(segment)) return 6;
+    const Vec3<S>& n = facing_[segment].normal;
+    const S along[3] = {n.x, n.y, n.z};
+    int axis = absolute(n.x) < absolute(n.y) ? 1 : 0;
+    if (absolute(along[axis]) < absolute(n.z)) axis = 2;
+    return 2 * axis + (along[axis] < S(0) ? 1 : 0);
+  };
+  struct Key {
+    std::int32_t body, way, segment;
+    auto operator<=>(const Key&) const = default;
+  };
+  std::vector<Key> keys(segments);
+  for (std::size_t s = 0; s < segments; ++s) {
+    const std::int32_t segment = s;
+    keys[s] = {surface.segments()[s].body, way_of(segment), segment};
+  }
+  order_.resize(segments);
+  place_.resize(segments);
+  for (std::size_t begin = 0; begin < segments; begin += part) {
+    const std::size_t end = std::min(segments, begin + part);
+    std::sort(keys.begin() + begin, keys.begin() + end);
+    for (std::size_t place = begin; place < end; ++place) {
+      order_[place] = keys[place].segment;
+      place_[order_[place]] = place;
+    }
+  }
+  std::vector<std::int32_t> last_group(segments, -1);
+  around_.clear();
+  around_begin_.assign(1, 0);
+  for (std::size_t place = 0; place < segments; ++place) {
+    const auto group = static_cast<std::int32_t>(place / ball_group<S>);
+    for (const std::int32_t slave : surface.slaves_of(order_[place])) {
+      for (const std::int32_t s : surface.around(slave)) {
+        if (std::exchange(last_group[s], group) != group) around_.push_back(s);
+      }
+    }
+    if ((place + 1) % ball_group<S> == 0 || place + 1 == segments) around_begin_.push_back(around_.size());
+  }
+}
+
+template <class S>
+void FeatureBounds<S>::find_directions(const SegmentSurface<S>& surface) {
+  constexpr std::int64_t G = ball_group<S>;
+  const std::int64_t segments = order_.size();
+  directions_.reset(boxes_.groups());
+  parallel_for("directions of groups", all_of(boxes_.groups()), [&](std::int64_t group) {
+    const std::int64_t end = std::min(segments, (group + 1) * G);
+    const bool has_spheres = (group + 1) * G > segments;
+    const bool is_active = std::any_of(order_.begin() + std::min(end, group * G), order_.begin() + end,
+                                       [&](std::int32_t s) { return surface.active_segment(s); });
+    if (has_spheres) {
+      directions_.set(group, {S(0), S(0), S(0)}, S(HUGE_VAL));
+    } else if (!is_active) {
+      directions_.set(group, {S(0), S(0), S(0)}, S(-8));  // but for spheres
+    } else {
+      const Facing<S> all = facing_of_all({&around_[around_begin_[group]], &around_[around_begin_[group + 1]]});
+      directions_.set(group, all.normal, all.angle + S(0.5) * static_cast<S>(most_facing));
+    }
+  });
+}
+
+template <class S>
+MovingBox<S> FeatureBounds<S>::edge_box(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                                        std::int32_t edge) const {
+  const auto& slaves = edges.edges()[edge].slave;
+  MovingBox<S> box = node_box_[slaves[0]];
+  take(box, node_box_[slaves[1]]);
+  widen(box, static_cast<S>(near_gap) * size_at_edge(surface, edges, edge));
+  return box;
 }
 
 /// The diagonals span the face; each of their ends may go the way that it makes more than their mean, and stray.
@@ -126,28 +196,10 @@ Facing<S> FeatureBounds<S>::facing_of_all(std::span<const std::int32_t> segments
 }
 
 template <class S>
-void FeatureBounds<S>::find_facings(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
-  node_facing_.resize(surface.slaves().size());
-  edge_facing_.resize(edges.edges().size());
-  around_.resize(facing_.size());
-  parallel_for("facing of nodes", all_of(node_facing_.size()),
-               [&](std::int64_t i) { node_facing_[i] = facing_of_all(surface.around(i)); });
-  parallel_for("facing of edges", all_of(edge_facing_.size()),
-               [&](std::int64_t e) { edge_facing_[e] = facing_of_all(edges.segments_of(e)); });
-  parallel_for("facing around segments", all_of(around_.size()), [&](std::int64_t i) {
-    around_[i] = facing_[i];
-    for (const std::int32_t slave : surface.slaves_of(i)) {
-      const Vec3<S> d = node_facing_[slave].normal - facing_[i].normal;
-      around_[i].angle = maximum(around_[i].angle, S(1.12) * square_root(dot(d, d)) + node_facing_[slave].angle);
-    }
-  });
-}
-
-template <class S>
 std::size_t FeatureBounds<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return boxes_.bytes() + of(node_box_) + of(edge_box_) + of(edge_size_) + of(facing_) + of(around_) +
-         of(node_facing_) + of(edge_facing_);
+  return boxes_.bytes() + of(node_box_) + of(facing_) + of(order_) + of(place_) + of(around_) + of(around_begin_) +
+         directions_.bytes();
 }
 
 template class FeatureBounds<double>;

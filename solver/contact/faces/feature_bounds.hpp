@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include <solver/contact/search/box_tree.hpp>
 #include <solver/contact/search/moving_boxes.hpp>
 #include <solver/contact/search/surface_motion.hpp>
 #include <solver/contact/segments/edge_table.hpp>
@@ -34,37 +36,55 @@ struct ListScope {
   std::vector<float> depth;  ///< per slave: how deep it is [length]
 };
 
-/// Where segments, their nodes and edges, and spheres may be while lists last, and where they look.
+/// Where segments, their nodes and edges, and spheres may be while lists last, and where they look. That of edges, and
+/// of what several segments have in common, is worked out for those who ask.
 template <class S>
 class FeatureBounds {
  public:
   /// motion: as started with these nodes.
-  void update(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-              const SphereSurface<S>& spheres, const SurfaceMotion<S>& motion, const ListScope<S>& scope);
+  void update(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres,
+              const SurfaceMotion<S>& motion, const ListScope<S>& scope);
+  /// Segments and slaves may have other numbers from the next update() on.
+  void renumber() { order_.clear(); }
 
-  const MovingBoxes<S>& boxes() const { return boxes_; }  ///< of segments and, behind them, of spheres
+  /// Of segments in an order of their own and, behind them, of spheres.
+  const MovingBoxes<S>& boxes() const { return boxes_; }
+  std::int32_t segment_of(std::int32_t box) const { return order_[box]; }
+  MovingBox<S> segment_box(std::int32_t segment) const { return boxes_.box(place_[segment]); }
+  /// Of the groups of these boxes: two groups none of whose nodes and edges may face each other, or that have no active
+  /// segment, have nothing with each other.
+  const GroupDirections<S>& directions() const { return directions_; }
   const MovingBox<S>& node_box(std::int32_t slave) const { return node_box_[slave]; }
-  const MovingBox<S>& edge_box(std::int32_t edge) const { return edge_box_[edge]; }
-  S edge_size(std::int32_t edge) const { return edge_size_[edge]; }  ///< of the largest segment there [length]
+  MovingBox<S> edge_box(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t edge) const;
   const Facing<S>& facing(std::int32_t segment) const { return facing_[segment]; }
-  const Facing<S>& around(std::int32_t segment) const { return around_[segment]; }  ///< of all around its nodes
-  const Facing<S>& node_facing(std::int32_t slave) const { return node_facing_[slave]; }
-  const Facing<S>& edge_facing(std::int32_t edge) const { return edge_facing_[edge]; }
+  /// Of several segments together: those around a node or at an edge.
+  Facing<S> facing_of_all(std::span<const std::int32_t> segments) const;
   std::size_t bytes() const;
 
  private:
   MovingBox<S> box_of(const NodeRecords<S>& nodes, std::int32_t node) const;
   Facing<S> facing_of(const NodeRecords<S>& nodes, const std::int32_t (&node)[4]) const;
-  /// Of several segments together.
-  Facing<S> facing_of_all(std::span<const std::int32_t> segments) const;
-  void find_facings(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+
+  void choose_order(const SegmentSurface<S>& surface);
+  void find_directions(const SegmentSurface<S>& surface);
 
   const SurfaceMotion<S>* motion_ = nullptr;
   S last_step_ = 0, horizon_ = 0;
   MovingBoxes<S> boxes_;
-  std::vector<MovingBox<S>> node_box_, edge_box_;
-  std::vector<S> edge_size_;
-  std::vector<Facing<S>> facing_, around_, node_facing_, edge_facing_;
+  std::vector<MovingBox<S>> node_box_;
+  std::vector<Facing<S>> facing_;
+  std::vector<std::int32_t> order_, place_;  ///< segments in the order of their boxes; per segment: its box
+  /// Segments around the nodes of those of each group, one group after the other, and where each begins.
+  std::vector<std::int32_t> around_, around_begin_;
+  GroupDirections<S> directions_;
 };
+
+/// Size of the largest segment at an edge [length].
+template <class S>
+S size_at_edge(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t edge) {
+  S size = 0;
+  for (const std::int32_t s : edges.segments_of(edge)) size = std::max(size, surface.segments()[s].size);
+  return size;
+}
 
 }  // namespace pinball

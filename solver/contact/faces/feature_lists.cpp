@@ -11,30 +11,17 @@ namespace pinball {
 
 namespace {
 
-template <class S>
-bool meet(const MovingBox<S>& a, const MovingBox<S>& b) {
-  bool all = true;
-  for (int k = 0; k < 3; ++k) {
-    all = all & ((a.bound[k] <= b.bound[3 + k]) | (a.bound[6 + k] <= b.bound[9 + k])) &
-          ((a.bound[3 + k] >= b.bound[k]) | (a.bound[9 + k] >= b.bound[6 + k]));
-  }
-  return all;
-}
-
-/// Whether features of two segments may touch: the mesh keeps elements with a common corner apart.
+/// Whether features of two segments may touch: the mesh keeps elements of a body with a common corner apart.
 template <class S>
 bool segments_may_touch(const SegmentSurface<S>& surface, std::int32_t a, std::int32_t b) {
   return surface.active_segment(a) && surface.active_segment(b) && !surface.beside(std::span(&a, 1), std::span(&b, 1));
 }
 
-/// The segment that an edge belongs to: the first that is active.
-template <class S>
-std::int32_t owner_of(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t edge) {
-  for (const std::int32_t s : edges.segments_of(edge)) {
-    if (surface.active_segment(s)) return s;
-  }
-  return -1;
-}
+/// All that is found in a new list.
+struct Everything {
+  static bool node(std::int32_t /*slave*/, std::int32_t /*segment*/) { return true; }
+  static bool edges(std::int32_t /*low*/, std::int32_t /*high*/) { return true; }
+};
 
 }  // namespace
 
@@ -67,7 +54,10 @@ void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface
                             const std::vector<float>& depth, S dt, bool last) {
   const S horizon = last ? steps_to_last(surface) * clock_.last_step() : S(0);
   if (watched_) motion_.adapt(source.position, clock_.elapsed(), horizon);
-  if (!valid_) watch_nodes(source, surface, spheres);
+  if (!valid_) {
+    bounds_.renumber();
+    watch_nodes(source, surface, spheres);
+  }
   watched_ = true;
   source.before_motion(motion_.nodes());
   motion_.start(source.position, source.velocity, last ? static_cast<S>(settings.skin) : S(0));
@@ -78,48 +68,68 @@ void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface
                [&](std::int64_t i) { scope_.depth[i] = depth[surface.slaves()[i].node]; });
   clock_.restart(horizon);
   valid_ = true;
-  find_pairs(source, surface, edges, spheres, settings);
+  find_pairs(source, surface, spheres, settings);
   find_features(surface, edges);
 }
 
 template <class S>
-void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface,
-                                 const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
-                                 const ContactSettings& settings) {
-  bounds_.update(nodes, surface, edges, spheres, motion_, scope_);
+bool FeatureLists<S>::may_touch(const SegmentSurface<S>& surface, const SphereSurface<S>& spheres, bool self,
+                                std::int32_t a, std::int32_t b) const {
   const std::int32_t segments = surface.segments().size();
-  const auto body_of = [&](std::int32_t i) {
-    return i < segments ? surface.segments()[i].body : spheres.spheres()[i - segments].body;
+  if (b >= segments) {
+    const auto body_of = [&](std::int32_t i) {
+      return i < segments ? surface.segments()[i].body : spheres.spheres()[i - segments].body;
+    };
+    return self || body_of(a) != body_of(b);
+  }
+  const auto &own = surface.segments()[a], &other = surface.segments()[b];
+  if (own.body == other.body && (!self || other.rigid)) return false;
+  if (!segments_may_touch(surface, a, b)) return false;
+  return allowed_ == nullptr || allowed_->faces_may(own.slot, own.face, own.node, other.slot, other.face, other.node);
+}
+
+template <class S>
+void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface,
+                                 const SphereSurface<S>& spheres, const ContactSettings& settings) {
+  bounds_.update(nodes, surface, spheres, motion_, scope_);
+  const std::int32_t segments = surface.segments().size();
+  const auto number_of = [&](std::int32_t box) { return box < segments ? bounds_.segment_of(box) : box; };
+  const auto keep = [&](std::int32_t a, std::int32_t b) {
+    return may_touch(surface, spheres, settings.self, number_of(a), number_of(b));
   };
-  const auto allowed = [&](std::int32_t a, std::int32_t b) {
-    if (allowed_ == nullptr || b >= segments) return true;
-    const auto &own = surface.segments()[a], &other = surface.segments()[b];
-    return allowed_->faces_may(own.slot, own.face, own.node, other.slot, other.face, other.node);
-  };
-  pairs_.find(bounds_.boxes(), settings.search, [&](std::int32_t a, std::int32_t b) {
-    if (!allowed(a, b)) return false;
-    const bool one_body = body_of(a) == body_of(b);
-    if (one_body && b < segments && surface.segments()[b].rigid) return false;
-    if (b >= segments) return settings.self || !one_body;
-    return (settings.self || !one_body) && bounds_.around(a).may_face(bounds_.around(b));
-  });
+  pairs_.find(bounds_.boxes(), settings.search, keep, &bounds_.directions());
+  self_ = settings.self;
+  all_features_.clear(surface.segments().size());
 }
 
 template <class S>
 void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
   const std::int32_t segments = surface.segments().size();
+  features_.clear(segments);
+  parallel_for("segments that meet", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
+    for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
+      if (seconds[pair] >= segments) continue;
+      features_.ask_for(bounds_.segment_of(firsts[pair]));
+      features_.ask_for(bounds_.segment_of(seconds[pair]));
+    }
+  });
+  // Where only some may touch, a node need not be where its owner is: it is taken from all of its segments.
+  features_.collect(bounds_, surface, edges, allowed_ == nullptr ? FeaturesOf::owner : FeaturesOf::all);
+  const FeatureScope<S> scope{surface, edges, bounds_, features_, allowed_};
   parallel_for("features", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    nodes_.found()[piece].pairs = 0;
-    edges_.found()[piece].pairs = 0;
+    PairColumns &nodes = nodes_.found()[piece], &crossing = edges_.found()[piece];
+    nodes.pairs = 0;
+    crossing.pairs = 0;
     found_sphere_segments_[piece].clear();
     found_spheres_[piece].clear();
     const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
     for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
       const std::int32_t a = firsts[pair], b = seconds[pair];
       if (b < segments) {
-        if (segments_may_touch(surface, a, b)) find_in_pair(surface, edges, a, b, Take::own, piece);
+        add_features_of_pair(scope, bounds_.segment_of(a), bounds_.segment_of(b), Everything{}, nodes, crossing);
       } else if (a < segments) {
-        found_sphere_segments_[piece].push_back({b - segments, a});
+        found_sphere_segments_[piece].push_back({b - segments, bounds_.segment_of(a)});
       } else {
         found_spheres_[piece].push_back({a - segments, b - segments});
       }
@@ -128,7 +138,7 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
   nodes_.sort(surface.slaves().size(), native_width<S>, surface.changed());
   fill_node_pairs(surface);
   edges_.sort(edges.edges().size(), native_width<S>, surface.changed());
-  fill_edge_pairs(edges);
+  fill_edge_pairs(surface, edges);
   join_sphere_pairs();
   was_active_.resize(surface.segments().size());
   parallel_for("active segments", RangePolicy<>{0, segments},
@@ -139,10 +149,14 @@ template <class S>
 void FeatureLists<S>::mark_changed(const SegmentSurface<S>& surface) {
   changed_slave_.resize(surface.slaves().size());
   near_change_.resize(surface.segments().size());
+  near_segments_.clear();
   for (const std::int32_t changed : surface.just_changed()) {
     for (const std::int32_t slave : surface.slaves_of(changed)) {
       if (std::exchange(changed_slave_[slave], std::uint8_t(1)) != 0) continue;
-      for (const std::int32_t s : surface.around(slave)) near_change_[s] = 1;
+      for (const std::int32_t s : surface.around(slave)) {
+        if (std::exchange(near_change_[s], std::uint8_t(1)) == 0 && surface.active_segment(s))
+          near_segments_.push_back(s);
+      }
     }
   }
 }
@@ -161,10 +175,11 @@ void FeatureLists<S>::unmark_changed(const SegmentSurface<S>& surface) {
 /// What meets a segment that is new, and whatever a node or an edge of a changed one meets: it may have belonged to one
 /// that has ended, or the mesh may have kept it apart.
 template <class S>
-bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
+bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                                     const SphereSurface<S>& spheres) {
   if (!valid_) return false;
   mark_changed(surface);
-  find_more(surface, edges);
+  find_more(surface, edges, spheres);
   unmark_changed(surface);
   const auto is_empty = [](const PairColumns& found) { return found.pairs == 0; };
   if (std::ranges::all_of(more_nodes_.found(), is_empty) && std::ranges::all_of(more_edges_.found(), is_empty))
@@ -175,19 +190,43 @@ bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const Edg
   return true;
 }
 
-/// Of the pairs of boxes those of segments around a change are looked at. To find these by an index of both boxes, made
-/// once a list, takes as long as to look through all: most lists see a few erosions.
+/// Pairs with segments around a change are found anew, by the boxes that the lists were made with.
 template <class S>
-void FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
+void FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                                const SphereSurface<S>& spheres) {
   const std::int32_t segments = surface.segments().size();
+  const std::int64_t near = near_segments_.size();
+  pairs_.prepare_to_look_up(bounds_.boxes());
+  const auto for_each_near = [&](std::int64_t piece, const auto& work) {
+    for (std::int64_t i = near * piece / fixed_pieces; i < near * (piece + 1) / fixed_pieces; ++i) {
+      work(near_segments_[i]);
+    }
+  };
+  parallel_for("segments near erosion", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    PairColumns& found = near_pairs_[piece];
+    found.pairs = 0;
+    for_each_near(piece, [&](std::int32_t own) {
+      pairs_.for_each_meeting(bounds_.segment_box(own), [&](std::int32_t box) {
+        if (box >= segments) return;
+        const std::int32_t other = bounds_.segment_of(box);
+        const bool again = near_change_[other] != 0 && other <= own;
+        if (again || !may_touch(surface, spheres, self_, own, other)) return;
+        found.add(own, other);
+        all_features_.ask_for(own);
+        all_features_.ask_for(other);
+      });
+    });
+  });
+  all_features_.collect(bounds_, surface, edges, FeaturesOf::all);
+  const FeatureScope<S> scope{surface, edges, bounds_, all_features_, allowed_};
+  const Changed changed{*this, edges};
   parallel_for("features after erosion", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    more_nodes_.found()[piece].pairs = 0;
-    more_edges_.found()[piece].pairs = 0;
-    const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
-    for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
-      const std::int32_t a = firsts[pair], b = seconds[pair];
-      if (b >= segments || (near_change_[a] | near_change_[b]) == 0) continue;
-      if (segments_may_touch(surface, a, b)) find_in_pair(surface, edges, a, b, Take::changed, piece);
+    PairColumns &nodes = more_nodes_.found()[piece], &crossing = more_edges_.found()[piece];
+    nodes.pairs = 0;
+    crossing.pairs = 0;
+    const PairColumns& pairs = near_pairs_[piece];
+    for (std::size_t pair = 0; pair < pairs.pairs; ++pair) {
+      add_features_of_pair(scope, pairs.first[pair], pairs.second[pair], changed, nodes, crossing);
     }
   });
 }
@@ -214,73 +253,10 @@ void FeatureLists<S>::take_in_more(const SegmentSurface<S>& surface, const EdgeT
   if (const auto room = edges_.insert(more_edges_)) {
     for (auto& node : edges_.node) room->make_in(node.data());
     room->make_in(edges_.size.data());
-    room->for_each_place([&](std::int64_t place) { fill_edge_pair(edges, place); });
+    room->for_each_place([&](std::int64_t place) { fill_edge_pair(surface, edges, place); });
   } else {
     make_anew(edges_, more_edges_, edges.edges().size());
-    fill_edge_pairs(edges);
-  }
-}
-
-/// What the one segment has against the other, and the other way round.
-template <class S>
-void FeatureLists<S>::find_in_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t a,
-                                   std::int32_t b, Take take, std::int64_t piece) {
-  const MovingBox<S> box_a = bounds_.boxes().box(a), box_b = bounds_.boxes().box(b);
-  find_nodes_in_pair(surface, a, b, box_b, take, piece);
-  find_nodes_in_pair(surface, b, a, box_a, take, piece);
-  const auto near_edges = [&](std::int32_t own, std::int32_t other, const MovingBox<S>& box) {
-    std::array<std::int32_t, 4> near{};
-    std::size_t count = 0;
-    for (const std::int32_t e : edges.edges_of(own)) {
-      if (e < 0 || (take == Take::own && allowed_ == nullptr && owner_of(surface, edges, e) != own)) continue;
-      if (bounds_.edge_facing(e).may_face(bounds_.around(other)) && meet(bounds_.edge_box(e), box)) near[count++] = e;
-    }
-    return std::pair(near, count);
-  };
-  const auto has_changed = [&](std::int32_t e) {
-    const auto& slave = edges.edges()[e].slave;
-    return (changed_slave_[slave[0]] & changed_slave_[slave[1]]) != 0;
-  };
-  const auto [of_a, count_a] = near_edges(a, b, box_b);
-  if (count_a == 0) return;
-  const auto [of_b, count_b] = near_edges(b, a, box_a);
-  for (std::size_t i = 0; i < count_a; ++i) {
-    for (std::size_t j = 0; j < count_b; ++j) {
-      const std::int32_t e = of_a[i], f = of_b[j];
-      if (take == Take::changed && !has_changed(e) && !has_changed(f)) continue;
-      if (!bounds_.edge_facing(e).may_face(bounds_.edge_facing(f)) || edges.share_node(e, f)) continue;
-      const std::int32_t *const nodes = edges.edges()[e].node, *const others = edges.edges()[f].node;
-      if (allowed_ != nullptr && !allowed_->edges(nodes[0], nodes[1], others[0], others[1]).may) continue;
-      if (!meet(bounds_.edge_box(e), bounds_.edge_box(f))) continue;
-      const std::int32_t low = std::min(e, f), high = std::max(e, f);
-      if (take == Take::changed && edges_.has(low, high)) continue;
-      (take == Take::own ? edges_.found() : more_edges_.found())[piece].add(low, high);
-    }
-  }
-}
-
-template <class S>
-void FeatureLists<S>::find_nodes_in_pair(const SegmentSurface<S>& surface, std::int32_t own, std::int32_t other,
-                                         const MovingBox<S>& box, Take take, std::int64_t piece) {
-  const std::array<std::int32_t, 4>& slaves = surface.slaves_of(own);
-  const std::array<std::int32_t, 8>& corners = surface.segments()[other].corners;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::int32_t slave = slaves[k];
-    // Where only some may touch, a node need not be where its owner is: it is taken from all of its segments.
-    const bool taken = take == Take::own ? allowed_ != nullptr || surface.slaves()[slave].owner == own
-                                         : changed_slave_[slave] != 0 || was_active_[other] == 0;
-    if (!taken) continue;
-    const auto& segment = surface.segments()[other];
-    if (allowed_ != nullptr &&
-        !allowed_->node_and_face(surface.slaves()[slave].node, segment.slot, segment.face, segment.node).may) {
-      continue;
-    }
-    if (!meet(bounds_.node_box(slave), box)) continue;
-    if (!bounds_.node_facing(slave).may_face(bounds_.facing(other))) continue;
-    if (std::find(slaves.begin(), slaves.begin() + k, slave) != slaves.begin() + k) continue;  // of a triangle
-    if (std::find(corners.begin(), corners.end(), surface.slaves()[slave].node) != corners.end()) continue;
-    if (take == Take::changed && nodes_.has(slave, other)) continue;
-    (take == Take::own ? nodes_.found() : more_nodes_.found())[piece].add(slave, other);
+    fill_edge_pairs(surface, edges);
   }
 }
 
@@ -302,21 +278,21 @@ void FeatureLists<S>::fill_node_pair(const SegmentSurface<S>& surface, std::int6
 }
 
 template <class S>
-void FeatureLists<S>::fill_edge_pairs(const EdgeTable<S>& edges) {
+void FeatureLists<S>::fill_edge_pairs(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
   for (auto& node : edges_.node) node.renew(edges_.first.size());
   edges_.size.renew(edges_.first.size());
   parallel_for("listed edges", RangePolicy<>{0, edges_.pieces.places},
-               [&](std::int64_t place) { fill_edge_pair(edges, place); });
+               [&](std::int64_t place) { fill_edge_pair(surface, edges, place); });
 }
 
 template <class S>
-void FeatureLists<S>::fill_edge_pair(const EdgeTable<S>& edges, std::int64_t place) {
+void FeatureLists<S>::fill_edge_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int64_t place) {
   const std::int32_t e = edges_.first[place], f = edges_.second[place];
   for (std::size_t end = 0; end < 2; ++end) {
     edges_.node[end][place] = edges.edges()[e].node[end];
     edges_.node[2 + end][place] = edges.edges()[f].node[end];
   }
-  edges_.size[place] = bounds_.edge_size(e) + bounds_.edge_size(f);
+  edges_.size[place] = size_at_edge(surface, edges, e) + size_at_edge(surface, edges, f);
 }
 
 template <class S>
@@ -349,9 +325,10 @@ void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& su
   NodeRecords<S> nodes;
   nodes.position = position.data();
   nodes.velocity = velocity.data();
-  find_pairs(nodes, surface, edges, spheres, settings);
+  bounds_.renumber();
+  find_pairs(nodes, surface, spheres, settings);
   fill_node_pairs(surface);
-  fill_edge_pairs(edges);
+  fill_edge_pairs(surface, edges);
 }
 
 /// Of lists that were read, and hold: that they are of this surface.
@@ -375,11 +352,12 @@ void FeatureLists<S>::check(const StateArchive& archive, const SegmentSurface<S>
 template <class S>
 std::size_t FeatureLists<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t sum = motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(scope_.depth) + nodes_.bytes() +
-                    nodes_.node.bytes() + nodes_.size.bytes() + nodes_.radius.bytes() + edges_.bytes() +
-                    4 * edges_.node[0].bytes() + edges_.size.bytes() + of(spheres_.with_segments) +
-                    of(spheres_.with_spheres) + of(was_active_) + of(changed_slave_) + of(near_change_) +
-                    more_nodes_.bytes() + more_edges_.bytes();
+  std::size_t sum =
+      motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(scope_.depth) + nodes_.bytes() + nodes_.node.bytes() +
+      nodes_.size.bytes() + nodes_.radius.bytes() + edges_.bytes() + 4 * edges_.node[0].bytes() + edges_.size.bytes() +
+      of(spheres_.with_segments) + of(spheres_.with_spheres) + of(was_active_) + of(changed_slave_) + of(near_change_) +
+      more_nodes_.bytes() + more_edges_.bytes() + features_.bytes() + all_features_.bytes() + of(near_segments_);
+  for (const PairColumns& pairs : near_pairs_) sum += pairs.bytes();
   for (const auto* found : {&found_sphere_segments_, &found_spheres_}) {
     for (const std::vector<Pair>& pairs : *found) sum += of(pairs);
   }

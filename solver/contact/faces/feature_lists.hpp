@@ -14,6 +14,8 @@
 #include <solver/contact/spheres/sphere_surface.hpp>
 
 #include "feature_bounds.hpp"
+#include "features_in_pair.hpp"
+#include "segment_features.hpp"
 #include "sorted_pairs.hpp"
 
 namespace pinball {
@@ -25,8 +27,8 @@ namespace pinball {
 /// segments, so that each pair of them is met once. (Representative triangles: S. Curtis, R. Tamstorf and D. Manocha,
 /// "Fast collision detection for deformable models using representative-triangles", I3D 2008.)
 ///
-/// Pairs of boxes are found for all segments, of their features only those of active segments that the mesh does not
-/// keep apart. What erosion makes of the others is seen to when it happens, by the same boxes.
+/// Lists are of active segments that the mesh does not keep apart. What erosion makes of the others is seen to when it
+/// happens, by the same boxes.
 ///
 /// Lists last while no node strays too far from its straight way.
 template <class S>
@@ -63,7 +65,7 @@ class FeatureLists {
   }
   /// Takes in what segments that have just become active, or have ended, make of pairs that were left out: these are in
   /// more_nodes() and more_edges(). Returns whether the lists have become longer.
-  bool follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  bool follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres);
   /// The lists hold no longer, and segments, slaves and edges may be numbered anew.
   void invalidate() { valid_ = false; }
 
@@ -88,27 +90,41 @@ class FeatureLists {
   S steps_to_last(const SegmentSurface<S>& surface) const;
   void watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres);
   /// Pairs of boxes, and what these are found by. nodes: as when motion_ was started.
-  void find_pairs(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-                  const SphereSurface<S>& spheres, const ContactSettings& settings);
+  void find_pairs(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres,
+                  const ContactSettings& settings);
+  /// Whether what boxes hold may touch: not segments that wait or have ended, nor those that the mesh keeps apart.
+  /// a < b or both of segments: numbers of boxes.
+  bool may_touch(const SegmentSurface<S>& surface, const SphereSurface<S>& spheres, bool self, std::int32_t a,
+                 std::int32_t b) const;
   void find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
-  /// Which nodes and edges are looked for in a pair of segments: those that belong to these, or those of which erosion
-  /// may have changed what they meet.
-  enum class Take { own, changed };
-  void find_in_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t a, std::int32_t b,
-                    Take take, std::int64_t piece);
-  void find_nodes_in_pair(const SegmentSurface<S>& surface, std::int32_t own, std::int32_t other,
-                          const MovingBox<S>& box, Take take, std::int64_t piece);
+  /// What erosion may have added to lists that do not have it: pairs of a node or an edge of a changed segment, and of
+  /// whatever meets one that is new.
+  struct Changed {
+    const FeatureLists& lists;
+    const EdgeTable<S>& edges_of_surface;
+
+    bool node(std::int32_t slave, std::int32_t segment) const {
+      return (lists.changed_slave_[slave] != 0 || lists.was_active_[segment] == 0) && !lists.nodes_.has(slave, segment);
+    }
+    bool edges(std::int32_t low, std::int32_t high) const {
+      return (has_changed(low) || has_changed(high)) && !lists.edges_.has(low, high);
+    }
+    bool has_changed(std::int32_t edge) const {
+      const auto& slave = edges_of_surface.edges()[edge].slave;
+      return (lists.changed_slave_[slave[0]] & lists.changed_slave_[slave[1]]) != 0;
+    }
+  };
   /// Of the segments that erosion has just changed, and of what is around them, or takes the marks away.
   void mark_changed(const SegmentSurface<S>& surface);
   void unmark_changed(const SegmentSurface<S>& surface);
-  void find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  void find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres);
   void take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
   void join_sphere_pairs();
   /// What the kernels read of each pair.
   void fill_node_pairs(const SegmentSurface<S>& surface);
   void fill_node_pair(const SegmentSurface<S>& surface, std::int64_t place);
-  void fill_edge_pairs(const EdgeTable<S>& edges);
-  void fill_edge_pair(const EdgeTable<S>& edges, std::int64_t place);
+  void fill_edge_pairs(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  void fill_edge_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int64_t place);
 
   const ContactPairs* allowed_ = nullptr;
   bool valid_ = false, watched_ = false;
@@ -117,15 +133,19 @@ class FeatureLists {
   ListScope<S> scope_;
   FeatureBounds<S> bounds_;
   BoxPairs<S> pairs_;
-  std::vector<std::uint8_t> was_active_;  ///< per segment, when the lists were made
+  bool self_ = true;                            ///< a body may touch itself
+  SegmentFeatures<S> features_, all_features_;  ///< those that belong to a segment; all, for follow_erosion()
+  std::vector<std::uint8_t> was_active_;        ///< per segment, when the lists were made
   NodePairs nodes_;
   EdgePairs edges_;
   SpherePairs spheres_;
   SortedPairs more_nodes_, more_edges_;  ///< of the last follow_erosion()
   // Within follow_erosion(), elsewhere 0: slaves of segments that have changed, and segments around these.
   std::vector<std::uint8_t> changed_slave_, near_change_;
+  std::vector<std::int32_t> near_segments_;  ///< those around, that are active
   // What follows is kept for its memory alone.
   std::array<std::vector<Pair>, fixed_pieces> found_sphere_segments_, found_spheres_;
+  PairOrder::Pieces near_pairs_;
 };
 
 }  // namespace pinball

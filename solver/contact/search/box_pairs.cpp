@@ -12,10 +12,17 @@ void BoxPairs<S>::cut_into_pieces(const MovingBoxes<S>& boxes) {
 
 template <class S>
 ContactSearch BoxPairs<S>::choose(const MovingBoxes<S>& boxes, ContactSearch how) {
-  if (how == ContactSearch::hash) return how;
+  has_tree_ = how != ContactSearch::hash;
+  if (!has_tree_) return how;
   tree_.build(boxes);
   constexpr std::int64_t most_met = 100;  // above, the tree takes longer (docs/performance.md)
   return suitable_search(how, tree_.view(), 1, boxes.groups(), most_met);
+}
+
+template <class S>
+void BoxPairs<S>::prepare_to_look_up(const MovingBoxes<S>& boxes) {
+  if (!has_tree_) tree_.build(boxes);
+  has_tree_ = true;
 }
 
 template <class S>

@@ -25,9 +25,11 @@ template <class S>
 class BoxPairs {
  public:
   /// Builds the list from nothing; the same from every search and every number of threads. keep(first, second): whether
-  /// a pair is wanted; asked only for pairs that meet, in parallel.
+  /// a pair is wanted; asked only for pairs that meet, in parallel. directions: of the groups of boxes, or null; pairs
+  /// of those that have nothing with each other may be left out, too.
   template <class Keep>
-  void find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep);
+  void find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep,
+            const GroupDirections<S>* directions = nullptr);
 
   /// First boxes of the pairs of a piece, and as many second ones. Valid until the next find().
   std::span<const std::int32_t> firsts(std::int64_t piece) const { return sorted_[piece].firsts(); }
@@ -35,6 +37,13 @@ class BoxPairs {
   /// First box of a piece; that of piece `fixed_pieces` is the number of boxes.
   std::int32_t piece_begin(std::int64_t piece) const { return begins_[piece]; }
   std::int64_t pairs() const;
+  /// Has for_each_meeting() look in these boxes, which are those of the last find() and stay where they are.
+  void prepare_to_look_up(const MovingBoxes<S>& boxes);
+  /// Calls visit(number) for all boxes that meet this one, in rising order.
+  template <class Visit>
+  void for_each_meeting(const MovingBox<S>& box, const Visit& visit) const {
+    for_each_meeting_box<Pack<S, native_width<S>>>(tree_.view(), box, 0, 0, visit);
+  }
   std::size_t bytes() const;
 
  private:
@@ -42,14 +51,15 @@ class BoxPairs {
   /// The search to be used; has built the tree if it is that.
   ContactSearch choose(const MovingBoxes<S>& boxes, ContactSearch how);
   template <class Keep>
-  void find_by_tree(const Keep& keep);
+  void find_by_tree(const Keep& keep, const GroupDirections<S>* directions);
   template <class Keep>
   void find_by_hash(const Keep& keep);
 
   std::array<std::int32_t, fixed_pieces + 1> begins_{};
   PairOrder::Pieces sorted_;
-  // What follows is kept for its memory alone.
   BoxTree<S> tree_;
+  bool has_tree_ = false;  ///< it is of the boxes of the last find()
+  // What follows is kept for its memory alone.
   std::array<NearBoxes<S>, fixed_pieces> near_;
   BoxHash<S> hash_;
   std::array<NearCells<S>, fixed_pieces> cells_;
@@ -58,21 +68,22 @@ class BoxPairs {
 
 template <class S>
 template <class Keep>
-void BoxPairs<S>::find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep) {
+void BoxPairs<S>::find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep,
+                       const GroupDirections<S>* directions) {
   cut_into_pieces(boxes);
   if (choose(boxes, how) == ContactSearch::hash) {
     hash_.build(boxes);
     find_by_hash(keep);
     order_.sort(begins_, sorted_);
   } else {
-    find_by_tree(keep);
+    find_by_tree(keep, directions);
   }
 }
 
-/// No branch depends on what is kept.
+/// No branch depends on what is kept. Most groups of surfaces that nothing comes near have no others.
 template <class S>
 template <class Keep>
-void BoxPairs<S>::find_by_tree(const Keep& keep) {
+void BoxPairs<S>::find_by_tree(const Keep& keep, const GroupDirections<S>* directions) {
   constexpr int G = ball_group<S>;
   parallel_for("pairs by a tree", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     PairColumns& found = sorted_[piece];
@@ -80,7 +91,8 @@ void BoxPairs<S>::find_by_tree(const Keep& keep) {
     found.pairs = 0;
     const std::int32_t begin = piece_begin(piece), end = piece_begin(piece + 1);
     for (std::int32_t own = begin; own < end; ++own) {
-      if (own % G == 0) near.enter(tree_.view(), own / G, own == begin);
+      if (own % G == 0) near.enter(tree_.view(), own / G, own == begin, directions);
+      if (near.is_alone()) continue;
       const auto others = near.find(tree_.view(), own % G);
       found.make_room(others.size());
       const std::size_t before = found.pairs;

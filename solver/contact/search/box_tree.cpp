@@ -1,6 +1,7 @@
 #include "box_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <kernels/compress.hpp>
 #include <kernels/exec.hpp>
@@ -47,10 +48,38 @@ ContactSearch suitable_search(ContactSearch asked, const BoxTreeView<S>& tree, i
 }
 
 template <class S>
-void NearBoxes<S>::enter(const BoxTreeView<S>& tree, std::int32_t group, bool anew) {
+void GroupDirections<S>::reset(std::int64_t groups) {
+  const std::int64_t parts = std::max<std::int64_t>(1, (groups + G - 1) / G);
+  value_.renew(parts * 4 * G);
+  for (std::int64_t group = groups; group < parts * G; ++group) set(group, {S(0), S(0), S(0)}, S(-HUGE_VAL));
+}
+
+template <class S>
+void GroupDirections<S>::set(std::int64_t group, const Vec3<S>& normal, S reach) {
+  const S value[4] = {normal.x, normal.y, normal.z, reach};
+  for (std::int64_t c = 0; c < 4; ++c) value_[(group / G * 4 + c) * G + group % G] = value[c];
+}
+
+template <class S>
+unsigned GroupDirections<S>::with(std::int64_t group, std::int64_t part) const {
+  using T = Pack<S, native_width<S>>;
+  const auto own = [&](std::int64_t c) { return T(value_[(group / G * 4 + c) * G + group % G]); };
+  unsigned bits = 0;
+  for (int first = 0; first < G; first += width_of<T>) {
+    const auto other = [&](std::int64_t c) { return load<T>(value_.data() + (part * 4 + c) * G + first); };
+    const T cosine = own(0) * other(0) + own(1) * other(1) + own(2) * other(2);
+    bits |= lane_bits<T>(cosine < own(3) + other(3)) << first;
+  }
+  return bits;
+}
+
+template <class S>
+void NearBoxes<S>::enter(const BoxTreeView<S>& tree, std::int32_t group, bool anew,
+                         const GroupDirections<S>* directions) {
   using T = Pack<S, native_width<S>>;
   group_ = group;
-  if (tree.levels == 1) {
+  one_level_ = tree.levels == 1;
+  if (one_level_) {
     near_part_.clear();
     candidate_.resize(1);
     found_.resize(2 * G);
@@ -69,10 +98,15 @@ void NearBoxes<S>::enter(const BoxTreeView<S>& tree, std::int32_t group, bool an
   }
   const MovingBox<S> box = get_box(tree.box[1], group);
   near_part_.resize(part_.size());
+  of_part_.resize(part_.size());
   std::size_t near = 0;
   for (const std::int32_t part : part_) {
+    const std::int32_t before = std::clamp(group_ - part * G, 0, G);  // those that do not count
+    unsigned bits = meeting_boxes<T>(tree.boxes(1, part), box) >> before << before;
+    if (directions != nullptr) bits &= directions->with(group, part);
     near_part_[near] = part;
-    near += meeting_boxes<T>(tree.boxes(1, part), box) != 0 ? 1 : 0;
+    of_part_[near] = bits;
+    near += bits != 0 ? 1 : 0;
   }
   near_part_.resize(near);
 }
@@ -85,10 +119,9 @@ std::size_t NearBoxes<S>::find_moving(const BoxTreeView<S>& tree, int i) {
   const MovingBox<S> box = get_box(tree.box[0], group_ * G + i);
   std::int32_t* candidate_end = candidate_.data();
   if (tree.levels == 1) *candidate_end++ = 0;
-  for (const std::int32_t part : near_part_) {
-    const unsigned bits = meeting_boxes<T, moves>(tree.boxes(1, part), box);
-    const std::int32_t before = std::clamp(group_ - part * G, 0, G);  // those that do not count
-    candidate_end += write_numbers<G>(bits >> before << before, part * G, candidate_end);
+  for (std::size_t p = 0; p < near_part_.size(); ++p) {
+    const unsigned bits = meeting_boxes<T, moves>(tree.boxes(1, near_part_[p]), box) & of_part_[p];
+    candidate_end += write_numbers<G>(bits, near_part_[p] * G, candidate_end);
   }
   std::int32_t* end = found_.data();
   for (const std::int32_t* candidate = candidate_.data(); candidate < candidate_end; ++candidate) {
@@ -106,6 +139,8 @@ std::span<const std::int32_t> NearBoxes<S>::find(const BoxTreeView<S>& tree, int
 
 template ContactSearch suitable_search(ContactSearch, const BoxTreeView<double>&, int, std::int64_t, std::int64_t);
 template ContactSearch suitable_search(ContactSearch, const BoxTreeView<float>&, int, std::int64_t, std::int64_t);
+template class GroupDirections<double>;
+template class GroupDirections<float>;
 template class BoxTree<double>;
 template class BoxTree<float>;
 template class NearBoxes<double>;

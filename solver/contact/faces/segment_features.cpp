@@ -1,0 +1,90 @@
+#include "segment_features.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <utility>
+
+#include <kernels/exec.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// The segment that an edge belongs to: the first that is active.
+template <class S>
+std::int32_t owner_of(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t edge) {
+  for (const std::int32_t s : edges.segments_of(edge)) {
+    if (surface.active_segment(s)) return s;
+  }
+  return -1;
+}
+
+}  // namespace
+
+template <class S>
+void SegmentFeatures<S>::clear(std::size_t segments) {
+  count_ = 0;
+  place_.assign(segments, -1);
+  asked_.assign(segments, 0);
+}
+
+template <class S>
+void SegmentFeatures<S>::ask_for(std::int32_t segment) {
+  std::atomic_ref(asked_[segment]).store(1, std::memory_order_relaxed);
+}
+
+/// Counts, scans and fills.
+template <class S>
+void SegmentFeatures<S>::collect(const FeatureBounds<S>& bounds, const SegmentSurface<S>& surface,
+                                 const EdgeTable<S>& edges, FeaturesOf which) {
+  const std::int64_t segments = place_.size();
+  std::array<std::int64_t, fixed_pieces> next{};
+  const auto for_each_new = [&](std::int64_t piece, const auto& work) {
+    const std::int64_t end = segments * (piece + 1) / fixed_pieces;
+    for (std::int64_t s = segments * piece / fixed_pieces; s < end; ++s) {
+      if (asked_[s] != 0 && place_[s] < 0) work(static_cast<std::int32_t>(s));
+    }
+  };
+  parallel_for("segments with features", RangePolicy<>{0, fixed_pieces},
+               [&](std::int64_t piece) { for_each_new(piece, [&](std::int32_t /*segment*/) { ++next[piece]; }); });
+  for (std::int64_t& places : next) count_ += std::exchange(places, count_);
+  if (std::ssize(record_) < count_) record_.resize(count_);
+  parallel_for("features of segments", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    for_each_new(piece, [&](std::int32_t segment) {
+      place_[segment] = next[piece]++;
+      fill(record_[place_[segment]], segment, bounds, surface, edges, which);
+    });
+  });
+}
+
+template <class S>
+void SegmentFeatures<S>::fill(Record& record, std::int32_t segment, const FeatureBounds<S>& bounds,
+                              const SegmentSurface<S>& surface, const EdgeTable<S>& edges, FeaturesOf which) {
+  constexpr int G = ball_group<S>;
+  for (int c = 0; c < 12; ++c) std::fill_n(record.boxes + c * G, G, static_cast<S>(c % 6 < 3 ? HUGE_VAL : -HUGE_VAL));
+  const std::array<std::int32_t, 4>& slaves = surface.slaves_of(segment);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::int32_t slave = slaves[k];
+    if (which == FeaturesOf::owner && surface.slaves()[slave].owner != segment) continue;
+    if (std::find(slaves.begin(), slaves.begin() + k, slave) != slaves.begin() + k) continue;  // of a triangle
+    put_box(bounds.node_box(slave), record.boxes, static_cast<std::int64_t>(k));
+    record.facing[k] = bounds.facing_of_all(surface.around(slave));
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::int32_t edge = edges.edges_of(segment)[k];
+    if (edge < 0 || (which == FeaturesOf::owner && owner_of(surface, edges, edge) != segment)) continue;
+    put_box(bounds.edge_box(surface, edges, edge), record.boxes, static_cast<std::int64_t>(first_edge + k));
+    record.facing[first_edge + k] = bounds.facing_of_all(edges.segments_of(edge));
+  }
+}
+
+template <class S>
+std::size_t SegmentFeatures<S>::bytes() const {
+  return record_.capacity() * sizeof(Record) + place_.capacity() * sizeof(place_[0]) + asked_.capacity();
+}
+
+template class SegmentFeatures<double>;
+template class SegmentFeatures<float>;
+
+}  // namespace pinball
