@@ -79,9 +79,12 @@ void FaceAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const std:
 template <class S>
 void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
   const bool reuse = source.lists_last;
-  if (this->may_keep_lists(source) && lists_.holds(source)) {
-    ++this->searches_skipped_;
-    return;
+  if (this->may_keep_lists(source)) {
+    const bool hold = lists_.holds(source), follow = !hold && follow_strays(source);
+    if (hold || follow) {
+      ++this->searches_skipped_;
+      return;
+    }
   }
   source.before_search();
   ++this->searches_;
@@ -96,6 +99,16 @@ void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
   this->lists_outdated_ = false;
   choose_listed();
   surface_.update(source);
+}
+
+template <class S>
+bool FaceAlgorithm<S>::follow_strays(const SurfaceSource<S>& source) {
+  if (!lists_.follow_strays(source, surface_, edges_, spheres_, depth_)) return false;
+  if (lists_.more_nodes().pieces.entries + lists_.more_edges().pieces.entries > 0) {
+    choose_more();
+    surface_.update(source);
+  }
+  return true;
 }
 
 template <class S>

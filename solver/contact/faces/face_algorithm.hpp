@@ -44,6 +44,8 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   void add_pair_forces_of_springs(std::vector<Point>& /*sums*/) const override {}
   void collect_impulses(const SurfaceSource<S>& source, double dt) override;
   void note_depths();
+  /// Has the lists follow nodes that have strayed, if these are few; else they hold no longer.
+  bool follow_strays(const SurfaceSource<S>& source);
   /// Has what is listed brought up to date in every step, and nothing else; notes the nodes of it.
   void choose_listed();
   /// The same of what has come to the lists.

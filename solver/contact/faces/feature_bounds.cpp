@@ -26,24 +26,24 @@ void widen(MovingBox<S>& box, S by) {
   for (int k = 0; k < 12; ++k) box.bound[k] += k % 6 < 3 ? -by : by;
 }
 
+template <class S>
+constexpr Facing<S> any_direction{{S(0), S(0), S(0)}, S(2)};
+
+/// By how many allowances corners may stray before it matters to where a face looks: so that those that stray once need
+/// not be looked for with all that is around them.
+template <class S>
+constexpr S strays_ahead = 4;
+
 RangePolicy<> all_of(std::int64_t count) { return {0, count}; }
 
 }  // namespace
 
 template <class S>
-MovingBox<S> FeatureBounds<S>::box_of(const NodeRecords<S>& nodes, std::int32_t node) const {
-  const S* x = nodes.x(node);
-  const S* v = nodes.v(node);
+MovingBox<S> FeatureBounds<S>::box_of(const Vec3<S>& x, const Vec3<S>& v, std::int32_t node) const {
+  const Vec3<S> begin = x - last_step_ * v, end = x + horizon_ * v;
   const S stray = motion_->allowance(std::array{node});
-  MovingBox<S> box;
-  for (int k = 0; k < 3; ++k) {
-    const S begin = x[k] - last_step_ * v[k], end = x[k] + horizon_ * v[k];
-    box.bound[k] = begin - stray;
-    box.bound[3 + k] = begin + stray;
-    box.bound[6 + k] = end - stray;
-    box.bound[9 + k] = end + stray;
-  }
-  return box;
+  return {{begin.x - stray, begin.y - stray, begin.z - stray, begin.x + stray, begin.y + stray, begin.z + stray,
+           end.x - stray, end.y - stray, end.z - stray, end.x + stray, end.y + stray, end.z + stray}};
 }
 
 template <class S>
@@ -58,23 +58,28 @@ void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<
   node_box_.resize(surface.slaves().size());
   facing_.resize(surface.segments().size());
   boxes_.reset(segments + spheres.count());
-  parallel_for("facing of segments", all_of(surface.segments().size()),
-               [&](std::int64_t i) { facing_[i] = facing_of(nodes, surface.segments()[i].node); });
+  parallel_for("facing of segments", all_of(surface.segments().size()), [&](std::int64_t i) {
+    const auto& corners = surface.segments()[i].node;
+    const auto start = [&](int k) { return std::pair(vector_of(nodes.x(corners[k])), vector_of(nodes.v(corners[k]))); };
+    facing_[i] = facing_of(corners, start, strays_ahead<S>);
+  });
   if (order_.empty()) choose_order(surface);
   find_directions(surface);
   parallel_for("boxes of nodes", all_of(node_box_.size()), [&](std::int64_t i) {
-    node_box_[i] = box_of(nodes, surface.slaves()[i].node);
+    const std::int32_t node = surface.slaves()[i].node;
+    node_box_[i] = box_of(vector_of(nodes.x(node)), vector_of(nodes.v(node)), node);
     widen(node_box_[i], static_cast<S>(scope.depth[i]));
   });
   parallel_for("boxes of segments", all_of(surface.segments().size()), [&](std::int64_t i) {
-    MovingBox<S> box = empty_box<S>();
-    for (const std::int32_t slave : surface.slaves_of(i)) take(box, node_box_[slave]);
-    widen(box, static_cast<S>(near_gap) * surface.segments()[i].size);
-    boxes_.set(place_[i], box);
+    if (surface.active_segment(i)) {
+      renew_box(surface, i);
+    } else {
+      boxes_.set(place_[i], empty_box<S>());
+    }
   });
   parallel_for("boxes of spheres", all_of(spheres.spheres().size()), [&](std::int64_t i) {
     const auto& sphere = spheres.spheres()[i];
-    MovingBox<S> box = box_of(nodes, sphere.node);
+    MovingBox<S> box = box_of(vector_of(nodes.x(sphere.node)), vector_of(nodes.v(sphere.node)), sphere.node);
     widen(box, S(1.01) * sphere.radius);
     boxes_.set(segments + static_cast<std::int32_t>(i), box);
   });
@@ -159,24 +164,61 @@ MovingBox<S> FeatureBounds<S>::edge_box(const SegmentSurface<S>& surface, const 
   return box;
 }
 
+template <class S>
+void FeatureBounds<S>::move(const SegmentSurface<S>& surface, std::span<const std::int32_t> slaves,
+                            const ListScope<S>& scope) {
+  for (const std::int32_t slave : slaves) {
+    node_box_[slave] =
+        box_of(motion_->start_position(slave), motion_->start_velocity(slave), surface.slaves()[slave].node);
+    widen(node_box_[slave], static_cast<S>(scope.depth[slave]));
+  }
+}
+
+template <class S>
+bool FeatureBounds<S>::turn(const SegmentSurface<S>& surface, std::int32_t segment) {
+  const std::array<std::int32_t, 4>& corners = surface.slaves_of(segment);
+  const auto start = [&](std::size_t k) {
+    return std::pair(motion_->start_position(corners[k]), motion_->start_velocity(corners[k]));
+  };
+  const auto& nodes = surface.segments()[segment].node;
+  Facing<S>& known = facing_[segment];
+  const Facing<S> now = facing_of(nodes, start, S(1));
+  const Vec3<S> d = now.normal - known.normal;
+  const bool any_known = known.angle == any_direction<S>.angle, any_now = now.angle == any_direction<S>.angle;
+  // A chord of up to a right angle, as in facing_of_all().
+  if (any_known || (!any_now && S(1.12) * square_root(dot(d, d)) + now.angle <= known.angle)) return false;
+  known = facing_of(nodes, start, strays_ahead<S>);
+  return true;
+}
+
+template <class S>
+void FeatureBounds<S>::renew_box(const SegmentSurface<S>& surface, std::int32_t segment) {
+  MovingBox<S> box = empty_box<S>();
+  for (const std::int32_t slave : surface.slaves_of(segment)) take(box, node_box_[slave]);
+  widen(box, static_cast<S>(near_gap) * surface.segments()[segment].size);
+  boxes_.set(place_[segment], box);
+}
+
 /// The diagonals span the face; each of their ends may go the way that it makes more than their mean, and stray.
 template <class S>
-Facing<S> FeatureBounds<S>::facing_of(const NodeRecords<S>& nodes, const std::int32_t (&node)[4]) const {
+template <class Start>
+Facing<S> FeatureBounds<S>::facing_of(const std::int32_t (&node)[4], const Start& start, S strays) const {
   Vec3<S> diagonal[2];
   S turned = 0;
   for (int d = 0; d < 2; ++d) {
-    const std::int32_t a = node[d], b = node[d + 2];
-    diagonal[d] = vector_of(nodes.x(b)) - vector_of(nodes.x(a));
-    const Vec3<S> v = vector_of(nodes.v(b)) - vector_of(nodes.v(a));
-    const S way =
-        horizon_ * square_root(dot(v, v)) + motion_->allowance(std::array{a}) + motion_->allowance(std::array{b});
+    const auto [xa, va] = start(d);
+    const auto [xb, vb] = start(d + 2);
+    diagonal[d] = xb - xa;
+    const Vec3<S> v = vb - va;
+    const S stray = motion_->allowance(std::array{node[d]}) + motion_->allowance(std::array{node[d + 2]});
+    const S way = horizon_ * square_root(dot(v, v)) + strays * stray;
     turned += way / square_root(dot(diagonal[d], diagonal[d]));
   }
   const Vec3<S> area = cross(diagonal[0], diagonal[1]);
   const S size = square_root(dot(area, area));
   const S lengths = square_root(dot(diagonal[0], diagonal[0]) * dot(diagonal[1], diagonal[1]));
   Facing<S> facing{(1 / size) * area, S(1.2) * turned * lengths / size};  // the arcus sine of up to 0.8
-  if (!(facing.angle < S(0.96))) facing = {{S(0), S(0), S(0)}, S(2)};     // any direction; also where there is no area
+  if (!(facing.angle < S(0.96))) return any_direction<S>;                 // also where there is no area
   return facing;
 }
 
@@ -189,7 +231,7 @@ Facing<S> FeatureBounds<S>::facing_of_all(std::span<const std::int32_t> segments
   for (const std::int32_t s : segments) {
     const Vec3<S> d = facing_[s].normal - all.normal;
     const S chord2 = dot(d, d);
-    if (!(length > S(0)) || !(chord2 < S(2))) return {{S(0), S(0), S(0)}, S(2)};
+    if (!(length > S(0)) || !(chord2 < S(2))) return any_direction<S>;
     all.angle = maximum(all.angle, S(1.12) * square_root(chord2) + facing_[s].angle);  // up to a right angle
   }
   return all;

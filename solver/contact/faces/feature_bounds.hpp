@@ -44,12 +44,21 @@ class FeatureBounds {
   /// motion: as started with these nodes.
   void update(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres,
               const SurfaceMotion<S>& motion, const ListScope<S>& scope);
+  /// Renews what is known of slaves that have been started anew. scope: has their depths.
+  void move(const SegmentSurface<S>& surface, std::span<const std::int32_t> slaves, const ListScope<S>& scope);
+  /// Renews where a segment with such slaves looks, if it may look elsewhere than was known; returns whether that is
+  /// so.
+  bool turn(const SegmentSurface<S>& surface, std::int32_t segment);
+  /// Makes the box of a segment anew, as that of an active one.
+  void renew_box(const SegmentSurface<S>& surface, std::int32_t segment);
   /// Segments and slaves may have other numbers from the next update() on.
   void renumber() { order_.clear(); }
 
-  /// Of segments in an order of their own and, behind them, of spheres.
+  /// Of segments in an order of their own and, behind them, of spheres. Those of segments that are not active are
+  /// empty.
   const MovingBoxes<S>& boxes() const { return boxes_; }
   std::int32_t segment_of(std::int32_t box) const { return order_[box]; }
+  std::int32_t box_of_segment(std::int32_t segment) const { return place_[segment]; }
   MovingBox<S> segment_box(std::int32_t segment) const { return boxes_.box(place_[segment]); }
   /// Of the groups of these boxes: two groups none of whose nodes and edges may face each other, or that have no active
   /// segment, have nothing with each other.
@@ -62,8 +71,11 @@ class FeatureBounds {
   std::size_t bytes() const;
 
  private:
-  MovingBox<S> box_of(const NodeRecords<S>& nodes, std::int32_t node) const;
-  Facing<S> facing_of(const NodeRecords<S>& nodes, const std::int32_t (&node)[4]) const;
+  MovingBox<S> box_of(const Vec3<S>& x, const Vec3<S>& v, std::int32_t node) const;
+  /// start(k): where corner k of a segment is at the start, and its velocity; strays: by how many of their allowances
+  /// corners may stray.
+  template <class Start>
+  Facing<S> facing_of(const std::int32_t (&node)[4], const Start& start, S strays) const;
 
   void choose_order(const SegmentSurface<S>& surface);
   void find_directions(const SegmentSurface<S>& surface);

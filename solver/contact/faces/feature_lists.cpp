@@ -1,6 +1,7 @@
 #include "feature_lists.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
@@ -99,13 +100,12 @@ void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurfa
   };
   pairs_.find(bounds_.boxes(), settings.search, keep, &bounds_.directions());
   self_ = settings.self;
-  all_features_.clear(surface.segments().size());
+  features_.clear(segments);
 }
 
 template <class S>
 void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
   const std::int32_t segments = surface.segments().size();
-  features_.clear(segments);
   parallel_for("segments that meet", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
     for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
@@ -115,7 +115,7 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
     }
   });
   // Where only some may touch, a node need not be where its owner is: it is taken from all of its segments.
-  features_.collect(bounds_, surface, edges, allowed_ == nullptr ? FeaturesOf::owner : FeaturesOf::all);
+  features_.collect(bounds_, surface, edges, which_features());
   const FeatureScope<S> scope{surface, edges, bounds_, features_, allowed_};
   parallel_for("features", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     PairColumns &nodes = nodes_.found()[piece], &crossing = edges_.found()[piece];
@@ -135,9 +135,9 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
       }
     }
   });
-  nodes_.sort(surface.slaves().size(), native_width<S>, surface.changed());
+  nodes_.sort(surface.slaves().size(), native_width<S>, true);
   fill_node_pairs(surface);
-  edges_.sort(edges.edges().size(), native_width<S>, surface.changed());
+  edges_.sort(edges.edges().size(), native_width<S>, true);
   fill_edge_pairs(surface, edges);
   join_sphere_pairs();
   was_active_.resize(surface.segments().size());
@@ -150,25 +150,22 @@ void FeatureLists<S>::mark_changed(const SegmentSurface<S>& surface) {
   changed_slave_.resize(surface.slaves().size());
   near_change_.resize(surface.segments().size());
   near_segments_.clear();
-  for (const std::int32_t changed : surface.just_changed()) {
-    for (const std::int32_t slave : surface.slaves_of(changed)) {
-      if (std::exchange(changed_slave_[slave], std::uint8_t(1)) != 0) continue;
-      for (const std::int32_t s : surface.around(slave)) {
-        if (std::exchange(near_change_[s], std::uint8_t(1)) == 0 && surface.active_segment(s))
-          near_segments_.push_back(s);
-      }
+  for (const std::int32_t slave : changed_slaves_) changed_slave_[slave] = is_changed;
+  for (const std::int32_t slave : changed_slaves_) {
+    for (const std::int32_t s : surface.around(slave)) {
+      if (near_change_[s] != 0) continue;
+      near_change_[s] = is_changed;
+      near_segments_.push_back(s);
     }
   }
 }
 
 template <class S>
 void FeatureLists<S>::unmark_changed(const SegmentSurface<S>& surface) {
-  for (const std::int32_t changed : surface.just_changed()) {
-    for (const std::int32_t slave : surface.slaves_of(changed)) {
-      if (std::exchange(changed_slave_[slave], std::uint8_t(0)) == 0) continue;
-      for (const std::int32_t s : surface.around(slave)) near_change_[s] = 0;
-    }
-    was_active_[changed] = surface.active_segment(changed) ? 1 : 0;
+  for (const std::int32_t slave : changed_slaves_) changed_slave_[slave] = 0;
+  for (const std::int32_t s : near_segments_) {
+    near_change_[s] = 0;
+    was_active_[s] = surface.active_segment(s) ? 1 : 0;
   }
 }
 
@@ -178,49 +175,95 @@ template <class S>
 bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                                      const SphereSurface<S>& spheres) {
   if (!valid_) return false;
+  changed_slaves_.clear();
+  for (const std::int32_t changed : surface.just_changed()) {
+    const auto& slaves = surface.slaves_of(changed);
+    changed_slaves_.insert(changed_slaves_.end(), slaves.begin(), slaves.end());
+  }
   mark_changed(surface);
-  find_more(surface, edges, spheres);
+  const bool more = find_more(surface, edges, spheres);
   unmark_changed(surface);
-  const auto is_empty = [](const PairColumns& found) { return found.pairs == 0; };
-  if (std::ranges::all_of(more_nodes_.found(), is_empty) && std::ranges::all_of(more_edges_.found(), is_empty))
-    return false;
-  more_nodes_.sort(surface.slaves().size(), 1);
-  more_edges_.sort(edges.edges().size(), 1);
-  take_in_more(surface, edges);
+  if (more) take_in_more(surface, edges);
+  return more;
+}
+
+/// Where a segment with such a node looks may have changed, too, and so what its other nodes and all of its edges may
+/// meet.
+template <class S>
+bool FeatureLists<S>::follow_strays(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
+                                    const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
+                                    const std::vector<float>& depth) {
+  constexpr std::int64_t part = 16;  // of the nodes: where more have strayed a search takes less
+  if (!valid_ || clock_.over() || spheres.count() != 0) return false;
+  motion_.find_strayed(source.position, clock_.elapsed(), strayed_);  // slaves are watched in their order
+  if (part * std::ssize(strayed_) > std::ssize(surface.slaves())) return false;
+  std::vector<std::int32_t> nodes;
+  for (const std::int32_t slave : strayed_) {
+    nodes.push_back(surface.slaves()[slave].node);
+    const S* const x = source.x(nodes.back());
+    if (!std::isfinite(x[0] + x[1] + x[2])) return false;
+    scope_.depth[slave] = std::max(scope_.depth[slave], depth[nodes.back()]);
+  }
+  source.before_motion(nodes);
+  motion_.restart(strayed_, source.position, source.velocity, clock_.elapsed(), scope_.horizon - clock_.elapsed());
+  bounds_.move(surface, strayed_, scope_);
+  changed_slaves_ = strayed_;
+  for (const std::int32_t slave : strayed_) {
+    for (const std::int32_t s : surface.around(slave)) {
+      if (!bounds_.turn(surface, s)) continue;
+      changed_slaves_.insert(changed_slaves_.end(), surface.slaves_of(s).begin(), surface.slaves_of(s).end());
+    }
+  }
+  mark_changed(surface);
+  for (const std::int32_t slave : strayed_) {
+    changed_slave_[slave] = has_strayed;
+    for (const std::int32_t s : surface.around(slave)) near_change_[s] = has_strayed;
+  }
+  const bool more = find_more(surface, edges, spheres);
+  unmark_changed(surface);
+  if (more) {
+    take_in_more(surface, edges);
+  } else {
+    more_nodes_.sort_few();
+    more_edges_.sort_few();
+  }
   return true;
 }
 
-/// Pairs with segments around a change are found anew, by the boxes that the lists were made with.
+/// Boxes of segments around a change are made anew, and pairs with these found anew.
 template <class S>
-void FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+bool FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                                 const SphereSurface<S>& spheres) {
   const std::int32_t segments = surface.segments().size();
   const std::int64_t near = near_segments_.size();
   pairs_.prepare_to_look_up(bounds_.boxes());
-  const auto for_each_near = [&](std::int64_t piece, const auto& work) {
-    for (std::int64_t i = near * piece / fixed_pieces; i < near * (piece + 1) / fixed_pieces; ++i) {
-      work(near_segments_[i]);
-    }
-  };
-  parallel_for("segments near erosion", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+  for (const std::int32_t s : near_segments_) {
+    if (!surface.active_segment(s)) continue;
+    features_.forget(s);
+    bounds_.renew_box(surface, s);
+    pairs_.include(bounds_.segment_box(s), bounds_.box_of_segment(s));
+  }
+  parallel_for("segments near changes", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     PairColumns& found = near_pairs_[piece];
     found.pairs = 0;
-    for_each_near(piece, [&](std::int32_t own) {
+    for (std::int64_t i = near * piece / fixed_pieces; i < near * (piece + 1) / fixed_pieces; ++i) {
+      const std::int32_t own = near_segments_[i];
+      if (!surface.active_segment(own)) continue;
       pairs_.for_each_meeting(bounds_.segment_box(own), [&](std::int32_t box) {
         if (box >= segments) return;
         const std::int32_t other = bounds_.segment_of(box);
         const bool again = near_change_[other] != 0 && other <= own;
         if (again || !may_touch(surface, spheres, self_, own, other)) return;
         found.add(own, other);
-        all_features_.ask_for(own);
-        all_features_.ask_for(other);
+        features_.ask_for(own);
+        features_.ask_for(other);
       });
-    });
+    }
   });
-  all_features_.collect(bounds_, surface, edges, FeaturesOf::all);
-  const FeatureScope<S> scope{surface, edges, bounds_, all_features_, allowed_};
+  features_.collect(bounds_, surface, edges, which_features());
+  const FeatureScope<S> scope{surface, edges, bounds_, features_, allowed_};
   const Changed changed{*this, edges};
-  parallel_for("features after erosion", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+  parallel_for("features near changes", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     PairColumns &nodes = more_nodes_.found()[piece], &crossing = more_edges_.found()[piece];
     nodes.pairs = 0;
     crossing.pairs = 0;
@@ -229,11 +272,15 @@ void FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTabl
       add_features_of_pair(scope, pairs.first[pair], pairs.second[pair], changed, nodes, crossing);
     }
   });
+  const auto is_empty = [](const PairColumns& found) { return found.pairs == 0; };
+  return !std::ranges::all_of(more_nodes_.found(), is_empty) || !std::ranges::all_of(more_edges_.found(), is_empty);
 }
 
 /// Where a list has no room it is made anew, with some.
 template <class S>
 void FeatureLists<S>::take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
+  more_nodes_.sort_few();
+  more_edges_.sort_few();
   const auto make_anew = [](SortedPairs& list, const SortedPairs& more, std::size_t firsts) {
     for (PairColumns& some : list.found()) some.pairs = 0;
     const auto add = [&list](std::int32_t a, std::int32_t b) { list.found()[0].add(a, b); };
@@ -352,11 +399,12 @@ void FeatureLists<S>::check(const StateArchive& archive, const SegmentSurface<S>
 template <class S>
 std::size_t FeatureLists<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t sum =
-      motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(scope_.depth) + nodes_.bytes() + nodes_.node.bytes() +
-      nodes_.size.bytes() + nodes_.radius.bytes() + edges_.bytes() + 4 * edges_.node[0].bytes() + edges_.size.bytes() +
-      of(spheres_.with_segments) + of(spheres_.with_spheres) + of(was_active_) + of(changed_slave_) + of(near_change_) +
-      more_nodes_.bytes() + more_edges_.bytes() + features_.bytes() + all_features_.bytes() + of(near_segments_);
+  std::size_t sum = motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(scope_.depth) + nodes_.bytes() +
+                    nodes_.node.bytes() + nodes_.size.bytes() + nodes_.radius.bytes() + edges_.bytes() +
+                    4 * edges_.node[0].bytes() + edges_.size.bytes() + of(spheres_.with_segments) +
+                    of(spheres_.with_spheres) + of(was_active_) + of(changed_slave_) + of(near_change_) +
+                    more_nodes_.bytes() + more_edges_.bytes() + features_.bytes() + of(near_segments_) +
+                    of(changed_slaves_) + of(strayed_);
   for (const PairColumns& pairs : near_pairs_) sum += pairs.bytes();
   for (const auto* found : {&found_sphere_segments_, &found_spheres_}) {
     for (const std::vector<Pair>& pairs : *found) sum += of(pairs);

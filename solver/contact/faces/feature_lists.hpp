@@ -66,6 +66,10 @@ class FeatureLists {
   /// Takes in what segments that have just become active, or have ended, make of pairs that were left out: these are in
   /// more_nodes() and more_edges(). Returns whether the lists have become longer.
   bool follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres);
+  /// Takes in what nodes that have strayed further than expected may meet, if these are few, and there are no spheres:
+  /// then the lists have all that may touch again, and more_nodes() and more_edges() what is new.
+  bool follow_strays(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                     const SphereSurface<S>& spheres, const std::vector<float>& depth);
   /// The lists hold no longer, and segments, slaves and edges may be numbered anew.
   void invalidate() { valid_ = false; }
 
@@ -97,28 +101,35 @@ class FeatureLists {
   bool may_touch(const SegmentSurface<S>& surface, const SphereSurface<S>& spheres, bool self, std::int32_t a,
                  std::int32_t b) const;
   void find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
-  /// What erosion may have added to lists that do not have it: pairs of a node or an edge of a changed segment, and of
-  /// whatever meets one that is new.
+  /// What lists may not have yet: pairs of a node or an edge that has changed, and of a segment that has.
   struct Changed {
     const FeatureLists& lists;
     const EdgeTable<S>& edges_of_surface;
 
     bool node(std::int32_t slave, std::int32_t segment) const {
-      return (lists.changed_slave_[slave] != 0 || lists.was_active_[segment] == 0) && !lists.nodes_.has(slave, segment);
+      return (lists.changed_slave_[slave] != 0 || lists.has_changed(segment)) && !lists.nodes_.has(slave, segment);
     }
     bool edges(std::int32_t low, std::int32_t high) const {
       return (has_changed(low) || has_changed(high)) && !lists.edges_.has(low, high);
     }
+    /// Edges of a segment that looks elsewhere or has eroded have changed at both ends.
     bool has_changed(std::int32_t edge) const {
       const auto& slave = edges_of_surface.edges()[edge].slave;
-      return (lists.changed_slave_[slave[0]] & lists.changed_slave_[slave[1]]) != 0;
+      const std::uint8_t a = lists.changed_slave_[slave[0]], b = lists.changed_slave_[slave[1]];
+      return (a != 0 && b != 0) || std::max(a, b) == has_strayed;
     }
   };
-  /// Of the segments that erosion has just changed, and of what is around them, or takes the marks away.
+  /// Whether a segment has strayed, or is active since the lists were made.
+  bool has_changed(std::int32_t segment) const {
+    return near_change_[segment] == has_strayed || was_active_[segment] == 0;
+  }
+  /// Marks slaves that have changed, and what is around them, or takes the marks away.
   void mark_changed(const SegmentSurface<S>& surface);
   void unmark_changed(const SegmentSurface<S>& surface);
-  void find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres);
+  /// Looks for what is near changed slaves; returns whether there is anything new.
+  bool find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres);
   void take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  FeaturesOf which_features() const { return allowed_ == nullptr ? FeaturesOf::owner : FeaturesOf::all; }
   void join_sphere_pairs();
   /// What the kernels read of each pair.
   void fill_node_pairs(const SegmentSurface<S>& surface);
@@ -133,16 +144,19 @@ class FeatureLists {
   ListScope<S> scope_;
   FeatureBounds<S> bounds_;
   BoxPairs<S> pairs_;
-  bool self_ = true;                            ///< a body may touch itself
-  SegmentFeatures<S> features_, all_features_;  ///< those that belong to a segment; all, for follow_erosion()
-  std::vector<std::uint8_t> was_active_;        ///< per segment, when the lists were made
+  bool self_ = true;  ///< a body may touch itself
+  SegmentFeatures<S> features_;
+  std::vector<std::uint8_t> was_active_;  ///< per segment, when the lists were made
   NodePairs nodes_;
   EdgePairs edges_;
   SpherePairs spheres_;
-  SortedPairs more_nodes_, more_edges_;  ///< of the last follow_erosion()
-  // Within follow_erosion(), elsewhere 0: slaves of segments that have changed, and segments around these.
-  std::vector<std::uint8_t> changed_slave_, near_change_;
-  std::vector<std::int32_t> near_segments_;  ///< those around, that are active
+  SortedPairs more_nodes_, more_edges_;  ///< that came last
+  std::vector<std::int32_t> strayed_;    ///< slaves, by follow_strays()
+  std::vector<std::int32_t>
+      changed_slaves_;  ///< that strayed, or of segments that look elsewhere or erosion has changed
+  std::vector<std::int32_t> near_segments_;  ///< around changed slaves
+  static constexpr std::uint8_t is_changed = 1, has_strayed = 2;
+  std::vector<std::uint8_t> changed_slave_, near_change_;  ///< marks of both, taken away again
   // What follows is kept for its memory alone.
   std::array<std::vector<Pair>, fixed_pieces> found_sphere_segments_, found_spheres_;
   PairOrder::Pieces near_pairs_;

@@ -27,6 +27,7 @@ void SegmentFeatures<S>::clear(std::size_t segments) {
   count_ = 0;
   place_.assign(segments, -1);
   asked_.assign(segments, 0);
+  known_.assign(segments, 0);
 }
 
 template <class S>
@@ -43,16 +44,18 @@ void SegmentFeatures<S>::collect(const FeatureBounds<S>& bounds, const SegmentSu
   const auto for_each_new = [&](std::int64_t piece, const auto& work) {
     const std::int64_t end = segments * (piece + 1) / fixed_pieces;
     for (std::int64_t s = segments * piece / fixed_pieces; s < end; ++s) {
-      if (asked_[s] != 0 && place_[s] < 0) work(static_cast<std::int32_t>(s));
+      if (asked_[s] != 0 && known_[s] == 0) work(static_cast<std::int32_t>(s));
     }
   };
-  parallel_for("segments with features", RangePolicy<>{0, fixed_pieces},
-               [&](std::int64_t piece) { for_each_new(piece, [&](std::int32_t /*segment*/) { ++next[piece]; }); });
+  parallel_for("segments with features", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    for_each_new(piece, [&](std::int32_t segment) { next[piece] += place_[segment] < 0 ? 1 : 0; });
+  });
   for (std::int64_t& places : next) count_ += std::exchange(places, count_);
   if (std::ssize(record_) < count_) record_.resize(count_);
   parallel_for("features of segments", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     for_each_new(piece, [&](std::int32_t segment) {
-      place_[segment] = next[piece]++;
+      if (place_[segment] < 0) place_[segment] = next[piece]++;
+      known_[segment] = 1;
       fill(record_[place_[segment]], segment, bounds, surface, edges, which);
     });
   });
@@ -81,7 +84,8 @@ void SegmentFeatures<S>::fill(Record& record, std::int32_t segment, const Featur
 
 template <class S>
 std::size_t SegmentFeatures<S>::bytes() const {
-  return record_.capacity() * sizeof(Record) + place_.capacity() * sizeof(place_[0]) + asked_.capacity();
+  return record_.capacity() * sizeof(Record) + place_.capacity() * sizeof(place_[0]) + asked_.capacity() +
+         known_.capacity();
 }
 
 template class SegmentFeatures<double>;

@@ -25,6 +25,11 @@ class SegmentFeatures {
 
   /// Forgets all; segments: how many there are.
   void clear(std::size_t segments);
+  /// What is known of a segment holds no longer.
+  void forget(std::int32_t segment) {
+    known_[segment] = 0;
+    asked_[segment] = 0;
+  }
   /// Asks for a segment. May be called for the same one by several threads.
   void ask_for(std::int32_t segment);
   /// Works out what was asked for, and was not before.
@@ -50,10 +55,10 @@ class SegmentFeatures {
   static void fill(Record& record, std::int32_t segment, const FeatureBounds<S>& bounds,
                    const SegmentSurface<S>& surface, const EdgeTable<S>& edges, FeaturesOf which);
 
-  std::int64_t count_ = 0;           ///< of records
-  std::vector<std::int64_t> place_;  ///< per segment: its record; negative: none
-  std::vector<std::uint8_t> asked_;  ///< per segment
-  std::vector<Record> record_;       ///< with room for more
+  std::int64_t count_ = 0;                   ///< of records
+  std::vector<std::int64_t> place_;          ///< per segment: its record; negative: none
+  std::vector<std::uint8_t> asked_, known_;  ///< per segment: it was asked for; what its record has holds
+  std::vector<Record> record_;               ///< with room for more
 };
 
 }  // namespace pinball

@@ -15,12 +15,13 @@ void SortedPairs::sort(std::int64_t firsts, std::int64_t width, bool grows) {
   PairOrder::Begins begins{};
   for (std::int64_t p = 0; p <= pieces.count; ++p) begins[p] = firsts * p / pieces.count;
   order_.share_out(begins, pieces.count);
+  const bool has_room = grows && firsts > 0;  // else there are no valid numbers to fill it with
   std::int64_t place = 0;
   for (std::int64_t p = 0; p < pieces.count; ++p) {
     const std::int64_t size = order_.pairs_of(p).size();
     pieces.begin[p] = place;
     pieces.end[p] = place + size;
-    place = to_pack(place + size + (grows ? std::max(size / 8, 2 * width) : 0), width);
+    place = to_pack(place + size + (has_room ? std::max(size / 8, 2 * width) : 0), width);
   }
   pieces.places = place;
   first.resize(place);
@@ -30,6 +31,24 @@ void SortedPairs::sort(std::int64_t firsts, std::int64_t width, bool grows) {
                [&](std::int64_t p) { sort_piece(p, begins[p], begins[p + 1]); });
   pieces.entries = 0;
   for (std::int64_t p = 0; p < pieces.count; ++p) pieces.entries += pieces.end[p] - pieces.begin[p];
+}
+
+void SortedPairs::sort_few() {
+  std::vector<std::array<std::int32_t, 2>> all;
+  for (const PairColumns& some : found()) {
+    for (std::size_t i = 0; i < some.pairs; ++i) all.push_back({some.first[i], some.second[i]});
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  pieces = {};
+  pieces.count = 1;
+  pieces.end[0] = pieces.places = pieces.entries = std::ssize(all);
+  first.clear();
+  second.clear();
+  for (const auto& [a, b] : all) {
+    first.push_back(a);
+    second.push_back(b);
+  }
 }
 
 /// Counts, scans and fills by the first number; then few seconds are to be sorted each time.

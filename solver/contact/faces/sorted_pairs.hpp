@@ -76,6 +76,8 @@ class SortedPairs {
   /// Makes the list of what was found. firsts: numbers that a first may have; width: of a pack; grows: each piece is to
   /// have room for more.
   void sort(std::int64_t firsts, std::int64_t width, bool grows = false);
+  /// The same of a few pairs, in one piece without room.
+  void sort_few();
   bool has(std::int32_t a, std::int32_t b) const;
   /// Takes in pairs that the list does not have; arrays along it are to get the same room by make_in(). Nothing: where
   /// there is no room for them, and then nothing has changed.

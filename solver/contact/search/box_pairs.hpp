@@ -39,6 +39,10 @@ class BoxPairs {
   std::int64_t pairs() const;
   /// Has for_each_meeting() look in these boxes, which are those of the last find() and stay where they are.
   void prepare_to_look_up(const MovingBoxes<S>& boxes);
+  /// Box i of these boxes has become another.
+  void include(const MovingBox<S>& box, std::int32_t i) {
+    if (has_tree_) tree_.include(box, i);
+  }
   /// Calls visit(number) for all boxes that meet this one, in rising order.
   template <class Visit>
   void for_each_meeting(const MovingBox<S>& box, const Visit& visit) const {

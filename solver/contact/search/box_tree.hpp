@@ -19,6 +19,11 @@ class BoxTree {
  public:
   /// boxes: have to stay where they are while the tree is used.
   void build(const MovingBoxes<S>& boxes);
+  /// Box i of those that the tree was built of has become another.
+  void include(const MovingBox<S>& box, std::int32_t i) {
+    view_.moves = true;
+    levels_.include(box, i, view_.levels);
+  }
   const BoxTreeView<S>& view() const { return view_; }
   std::size_t bytes() const { return levels_.bytes(); }
 

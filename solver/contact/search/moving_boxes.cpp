@@ -51,6 +51,18 @@ void BoxLevels<S>::build(const S* lowest, std::int64_t groups, BoxTreeView<S>& v
 }
 
 template <class S>
+void BoxLevels<S>::include(const MovingBox<S>& box, std::int64_t i, int levels) {
+  for (int level = 1; level < levels; ++level) {
+    i /= ball_group<S>;
+    MovingBox<S> above = get_box(level_[level].data(), i);
+    for (int c = 0; c < 12; ++c) {
+      above.bound[c] = c % 6 < 3 ? minimum(above.bound[c], box.bound[c]) : maximum(above.bound[c], box.bound[c]);
+    }
+    put_box(above, level_[level].data(), i);
+  }
+}
+
+template <class S>
 std::size_t BoxLevels<S>::bytes() const {
   std::size_t sum = 0;
   for (const auto& level : level_) sum += level.bytes();

@@ -38,6 +38,8 @@ class BoxLevels {
   /// Builds the levels above the lowest, which has to stay where it is while they are used. lowest: groups of G boxes,
   /// 12 components; view: whose levels are set, from the lowest on.
   void build(const S* lowest, std::int64_t groups, BoxTreeView<S>& view);
+  /// Makes the boxes above box i of the lowest level as large as it asks for.
+  void include(const MovingBox<S>& box, std::int64_t i, int levels);
   std::size_t bytes() const;
 
  private:

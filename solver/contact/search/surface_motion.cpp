@@ -1,6 +1,7 @@
 #include "surface_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <kernels/exec.hpp>
@@ -69,8 +70,27 @@ void SurfaceMotion<S>::adapt(const S* position, S elapsed, S horizon) {
 }
 
 template <class S>
+void SurfaceMotion<S>::put_started(std::size_t place, const S* position, const S* velocity, S elapsed) {
+  constexpr std::size_t W = native_width<S>;
+  S* const started = start_.data() + place / W * 6 * W + place % W;
+  for (std::size_t k = 0; k < 3; ++k) {
+    started[k * W] = record(position, node_[place])[k] - elapsed * record(velocity, node_[place])[k];
+    started[(3 + k) * W] = record(velocity, node_[place])[k];
+  }
+}
+
+template <class S>
+void SurfaceMotion<S>::put_allowance(std::size_t place, S allowance) {
+  const S unit = skin_ * size_[place];
+  const S kept = allowance > S(least) * unit ? std::min(allowance, S(most) * unit) : S(least) * unit;
+  const float rounded = allowance_[node_[place]] = static_cast<float>(kept);
+  allowed2_[place] = static_cast<S>(rounded) * static_cast<S>(rounded);
+}
+
+template <class S>
 void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
   constexpr std::size_t W = native_width<S>;
+  skin_ = skin;
   while (node_.size() % W != 0) {  // padding repeats a node
     node_.push_back(node_.back());
     size_.push_back(size_.back());
@@ -81,19 +101,9 @@ void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
     allowed2_.reset(count_);
   }
   parallel_for("start of nodes", RangePolicy<>{0, packs()}, [&](std::int64_t pack) {
-    S* const started = start_.data() + pack * 6 * W;
-    for (std::size_t lane = 0; lane < W; ++lane) {
-      const std::size_t n = pack * W + lane;
-      const std::int32_t node = node_[n];
-      for (std::size_t k = 0; k < 3; ++k) {
-        started[k * W + lane] = record(position, node)[k];
-        started[(3 + k) * W + lane] = record(velocity, node)[k];
-      }
-      const S unit = skin * size_[n];
-      const S before = allowance_[node];
-      const S allowance = before > S(least) * unit ? std::min(before, S(most) * unit) : S(least) * unit;
-      allowance_[node] = static_cast<float>(allowance);
-      allowed2_[n] = static_cast<S>(allowance_[node]) * static_cast<S>(allowance_[node]);
+    for (std::size_t place = pack * W; place < (pack + 1) * W; ++place) {
+      put_started(place, position, velocity, S(0));
+      put_allowance(place, allowance_[node_[place]]);
     }
   });
 }
@@ -117,6 +127,43 @@ bool SurfaceMotion<S>::holds(const S* position, S elapsed) const {
 }
 
 template <class S>
+void SurfaceMotion<S>::find_strayed(const S* position, S elapsed, std::vector<std::int32_t>& places) const {
+  using T = Pack<S, native_width<S>>;
+  constexpr std::size_t W = native_width<S>;
+  std::array<std::vector<std::int32_t>, fixed_pieces> found;
+  parallel_for("nodes that strayed", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    const std::int64_t end = packs() * (piece + 1) / fixed_pieces;
+    for (std::int64_t pack = packs() * piece / fixed_pieces; pack < end; ++pack) {
+      const std::size_t first = pack * W;
+      const T e2 = deviation2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed);
+      unsigned bits = lane_bits<T>(!(e2 <= load<T>(allowed2_.data() + first)));
+      for (; bits != 0; bits &= bits - 1) found[piece].push_back(first + __builtin_ctz(bits));
+    }
+  });
+  places.clear();
+  for (const auto& some : found) places.insert(places.end(), some.begin(), some.end());
+  const auto is_padding = [&](std::int32_t place) { return place > 0 && node_[place] == node_[place - 1]; };
+  std::erase_if(places, is_padding);
+}
+
+/// A node that has strayed is likely to go on: it may stray as much again, or, as a steady force would have it, more.
+template <class S>
+void SurfaceMotion<S>::restart(std::span<const std::int32_t> places, const S* position, const S* velocity, S elapsed,
+                               S horizon) {
+  const S growth = 2 * std::max(S(1), horizon / elapsed * (horizon / elapsed));
+  for (const std::int32_t of : places) {
+    const std::size_t first = of;
+    const std::int32_t node = node_[first];
+    const Vec3<S> strayed = vector_of(record(position, node)) - start_position(first) - elapsed * start_velocity(first);
+    const S allowance = growth * square_root(dot(strayed, strayed));
+    for (std::size_t place = first; place < count_ && node_[place] == node; ++place) {  // padding, too
+      put_started(place, position, velocity, elapsed);
+      put_allowance(place, allowance);
+    }
+  }
+}
+
+template <class S>
 void SurfaceMotion<S>::put_start(Array<S>& position, Array<S>& velocity) const {
   constexpr std::size_t W = native_width<S>;
   position.reset(4 * allowance_.size());
@@ -133,7 +180,7 @@ void SurfaceMotion<S>::put_start(Array<S>& position, Array<S>& velocity) const {
 template <class S>
 void SurfaceMotion<S>::persist(StateArchive& archive, std::int32_t node_count, bool watched) {
   std::uint64_t count = count_;
-  archive(count, node_, size_, start_, allowed2_, allowance_);
+  archive(count, node_, size_, skin_, start_, allowed2_, allowance_);
   if (!archive.reads()) return;
   count_ = count;
   const bool knows_nodes = std::ssize(allowance_) == node_count;

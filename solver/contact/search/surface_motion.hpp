@@ -6,6 +6,8 @@
 #include <vector>
 
 #include <kernels/exec/array.hpp>
+#include <kernels/simd.hpp>
+#include <kernels/tensor.hpp>
 #include <solver/base/state_archive.hpp>
 
 namespace pinball {
@@ -66,6 +68,14 @@ class SurfaceMotion {
   std::span<const std::int32_t> nodes() const { return node_; }
   /// Whether no node has strayed further than allowed after this time; false if a position is not a number.
   bool holds(const S* position, S elapsed) const;
+  /// Those of the nodes watched that have: places in nodes(), without padding, ascending.
+  void find_strayed(const S* position, S elapsed, std::vector<std::int32_t>& places) const;
+  /// Starts nodes again, from where they are now and as they move now, with the same beginning of time as the others,
+  /// and allows them more. places: as found; elapsed, horizon: since start(), and from now on [time].
+  void restart(std::span<const std::int32_t> places, const S* position, const S* velocity, S elapsed, S horizon);
+  /// Where a node is taken to have been at the start, and how it is taken to move. place: in nodes().
+  Vec3<S> start_position(std::size_t place) const { return started(place, 0); }
+  Vec3<S> start_velocity(std::size_t place) const { return started(place, 3); }
   /// How far the centre of an element or a face may stray, given its corners [length].
   template <class Corners>
   S allowance(const Corners& corners) const {
@@ -80,8 +90,16 @@ class SurfaceMotion {
   std::size_t bytes() const;
 
  private:
-  std::int64_t packs() const;             ///< of nodes
+  std::int64_t packs() const;  ///< of nodes
+  Vec3<S> started(std::size_t place, std::size_t component) const {
+    constexpr std::size_t W = native_width<S>;
+    const S* const of = start_.data() + place / W * 6 * W + component * W + place % W;
+    return {of[0], of[W], of[2 * W]};
+  }
+  void put_started(std::size_t place, const S* position, const S* velocity, S elapsed);
+  void put_allowance(std::size_t place, S allowance);
   std::size_t count_ = 0;                 ///< nodes, padded to whole packs
+  S skin_ = 0;                            ///< of start() [-]
   std::vector<std::int32_t> node_;        ///< number in the store
   std::vector<std::uint8_t> is_watched_;  ///< per node of the store: in node_
   std::vector<S> size_;                   ///< what the allowance of the node is measured by [length]
