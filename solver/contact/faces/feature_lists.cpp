@@ -15,7 +15,7 @@ namespace {
 /// Whether features of two segments may touch: the mesh keeps elements of a body with a common corner apart.
 template <class S>
 bool segments_may_touch(const SegmentSurface<S>& surface, std::int32_t a, std::int32_t b) {
-  return surface.active_segment(a) && surface.active_segment(b) && !surface.beside(std::span(&a, 1), std::span(&b, 1));
+  return surface.active_segment(a) && surface.active_segment(b) && !surface.beside(a, b);
 }
 
 /// All that is found in a new list.

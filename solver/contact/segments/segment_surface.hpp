@@ -85,6 +85,11 @@ class SegmentSurface {
   /// Whether some active segments of one body belong to elements that have a corner in common with those of others:
   /// these are kept apart by the mesh.
   bool beside(std::span<const std::int32_t> some, std::span<const std::int32_t> others) const;
+  /// The same of two segments, which are taken to be active.
+  bool beside(std::int32_t a, std::int32_t b) const {
+    const Segment &own = segments_[a], &other = segments_[b];
+    return own.body == other.body && share_corner(own.corners, other.corners);
+  }
   bool active_segment(std::int32_t segment) const { return active_[segment] > S(0); }
   /// Slaves of the nodes of a segment.
   const std::array<std::int32_t, 4>& slaves_of(std::int32_t segment) const { return slaves_of_[segment]; }
