@@ -45,6 +45,12 @@ constexpr double looks_back = -0.5;
 /// Depth of edges over the size of the smaller segment from which on it is asked whether they have come in there [-].
 constexpr double doubtful = 2e-3;
 
+/// How far two edges with a row may be from each other, over the size of the segments of both together, but for what
+/// closes in a step, and the depth of the step before: no row is deeper than deepest_edges of the smaller one. A fifth
+/// more, for rounding [-].
+constexpr double near_edges = 0.6 * std::max(deepest_edges, open_gap);
+static_assert(near_edges <= near_gap);
+
 /// What the faces of an edge are like.
 struct EdgeSides {
   Vec3<double> normal{0, 0, 0};                         ///< sum of their unit normals
@@ -164,7 +170,7 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& 
     const auto ends = [&](std::size_t n) { return gather_vectors<T>(source.position, pairs.node[n].data() + place); };
     const Vec3<T> a = ends(0), b = ends(1), c = ends(2), d = ends(3);
     // What has passed each other is as near again.
-    T near = number<T>(near_gap) * load<T>(pairs.size.data() + place) + number<T>(step.approach);
+    T near = number<T>(near_edges) * load<T>(pairs.size.data() + place) + number<T>(step.approach);
     if (step.some_deep) {
       alignas(64) S deep[W];
       for (int i = 0; i < W; ++i) {

@@ -2,12 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include <kernels/compress.hpp>
 #include <kernels/face_projection.hpp>
 #include <kernels/gather.hpp>
 
 namespace pinball {
+
+namespace {
+
+/// Points of nodes as double numbers, whatever they are in.
+template <class T, class S>
+Vec3<T> points(const S* position, const std::int32_t* node) {
+  if constexpr (std::is_same_v<S, ScalarOf<T>>) {
+    return gather_vectors<T>(position, node);
+  } else {
+    constexpr int W = width_of<T>;
+    alignas(64) double coordinate[3][W];
+    for (int i = 0; i < W; ++i) {
+      for (int c = 0; c < 3; ++c) coordinate[c][i] = record(position, node[i])[c];
+    }
+    return {load<T>(coordinate[0]), load<T>(coordinate[1]), load<T>(coordinate[2])};
+  }
+}
+
+}  // namespace
 
 double NodeFoot::distance() const { return std::sqrt(gap * gap + outside * outside); }
 
@@ -53,18 +73,13 @@ void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
   feet.clear();
   for (std::size_t first = 0; first < near.size(); first += W) {
     const int count = std::min<std::size_t>(W, near.size() - first);
-    alignas(64) double coordinate[5][3][W];
+    alignas(64) std::int32_t node[5][W];
     for (int i = 0; i < W; ++i) {
       const std::int32_t place = near[first + std::min(i, count - 1)];
-      const auto& segment = surface.segments()[pairs.second[place]];
-      for (int k = 0; k < 5; ++k) {
-        const S* x = source.x(k < 4 ? segment.node[k] : pairs.node[place]);
-        for (int c = 0; c < 3; ++c) coordinate[k][c][i] = x[c];
-      }
+      for (int k = 0; k < 4; ++k) node[k][i] = surface.segments()[pairs.second[place]].node[k];
+      node[4][i] = pairs.node[place];
     }
-    const auto point = [&](int k) {
-      return Vec3<T>{load<T>(coordinate[k][0]), load<T>(coordinate[k][1]), load<T>(coordinate[k][2])};
-    };
+    const auto point = [&](int k) { return points<T>(source.position, node[k]); };
     const Vec3<T> corner[4] = {point(0), point(1), point(2), point(3)};
     FaceProjection<T> at = foot_on_face(corner, point(4));
     move_to_nearest_side(corner, point(4), at);

@@ -78,6 +78,7 @@ class NodeMeeting {
   /// Adds the rows of the node: of one body after the other, by number.
   void add_rows(std::vector<FeatureRow>& rows) const {
     if (!surface_.active(feet_.front().slave)) return;
+    if (std::ranges::none_of(feet_, [&](const NodeFoot& foot) { return may_have_row(foot); })) return;
     for (std::int32_t body = next_body(-1); body >= 0; body = next_body(body)) add_rows_with(body, rows);
   }
 
@@ -92,6 +93,8 @@ class NodeMeeting {
 
   /// Whether a foot is on the face or hardly beyond its edges.
   bool is_on_face(const NodeFoot& foot) const { return foot.past_margin <= edge_margin * radius_of(foot); }
+
+  bool may_have_row(const NodeFoot& foot) const { return may_close(foot.gap, closing(foot), size_of(foot)); }
 
   /// The least body above this one that the node has a foot on; negative: none.
   std::int32_t next_body(std::int32_t body) const {
@@ -233,7 +236,7 @@ class NodeMeeting {
 
   void add_row(const NodeFoot& foot, std::int64_t name, std::vector<FeatureRow>& rows) const {
     const auto& segment = segment_of(foot);
-    if (!may_close(foot.gap, closing(foot), size_of(foot))) return;
+    if (!may_have_row(foot)) return;
     FeatureRow& row = rows.emplace_back();
     row.first = slave_.node;
     row.slave = foot.slave;
