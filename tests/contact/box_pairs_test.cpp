@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -234,6 +235,71 @@ TYPED_TEST(BoxPairsTest, AreThoseOfBruteForceInOrder) {
     for (const ContactSearch how : searches) {
       list.find(set.moving, how, all);
       EXPECT_EQ(pairs_of(list, configuration.count), expected) << "search " << int(how);
+    }
+  }
+}
+
+/// Groups look anywhere: of those that have something with each other no pair is left out.
+TYPED_TEST(BoxPairsTest, OfGroupsThatHaveSomethingWithEachOtherAreAllThere) {
+  using S = TypeParam;
+  constexpr int G = ball_group<S>;
+  std::int64_t left_out = 0;
+  for (const Configuration& configuration : configurations()) {
+    SCOPED_TRACE(configuration.name);
+    const Set<S> set(configuration);
+    Random random(11);
+    GroupDirections<S> directions;
+    directions.reset(set.moving.groups());
+    std::vector<Vec3<double>> normal;
+    std::vector<double> reach;
+    for (std::int64_t group = 0; group < set.moving.groups(); ++group) {
+      const Vec3<double> n = random_vector(random, 1);
+      normal.push_back((1 / std::sqrt(dot(n, n))) * n);
+      reach.push_back(group % 5 == 0 ? infinite : uniform(random, -0.5, 0.2));
+      const Vec3<double>& of = normal.back();
+      directions.set(group, {static_cast<S>(of.x), static_cast<S>(of.y), static_cast<S>(of.z)},
+                     static_cast<S>(reach.back()));
+    }
+    const auto some = [&](std::int32_t a, std::int32_t b) {
+      const auto g = static_cast<std::size_t>(a / G), h = static_cast<std::size_t>(b / G);
+      return dot(normal[g], normal[h]) < reach[g] + reach[h] - 1e-5;
+    };
+    const Pairs wanted = brute_force(set.boxes, some), all_pairs = brute_force(set.boxes, all);
+    left_out += std::ssize(all_pairs);
+    BoxPairs<S> list;
+    for (const ContactSearch how : searches) {
+      list.find(set.moving, how, all, &directions);
+      const Pairs found = pairs_of(list, configuration.count);
+      EXPECT_TRUE(std::includes(found.begin(), found.end(), wanted.begin(), wanted.end())) << "search " << int(how);
+      EXPECT_TRUE(std::includes(all_pairs.begin(), all_pairs.end(), found.begin(), found.end()));
+      if (how == ContactSearch::tree) left_out -= std::ssize(found);
+    }
+  }
+  EXPECT_GT(left_out, 1000);
+}
+
+TYPED_TEST(BoxPairsTest, AreFoundOneByOneWhenBoxesHaveChanged) {
+  using S = TypeParam;
+  for (const Configuration& configuration : configurations()) {
+    SCOPED_TRACE(configuration.name);
+    Set<S> set(configuration), others(configuration, 6);
+    BoxPairs<S> list;
+    for (const ContactSearch how : searches) {
+      list.find(set.moving, how, all);
+      list.prepare_to_look_up(set.moving);
+      for (int i = 0; i < configuration.count; i += 17) {
+        const auto at = static_cast<std::size_t>(i);
+        set.boxes[at] = others.boxes[at];
+        set.moving.set(i, set.boxes[at]);
+        list.include(set.moving.box(i), i);
+      }
+      Pairs found;
+      for (int i = 0; i < configuration.count; i += 3) {
+        list.for_each_meeting(set.moving.box(i), [&](std::int32_t other) {
+          if (other > i) found.emplace_back(i, other);
+        });
+      }
+      EXPECT_EQ(found, brute_force(set.boxes, [](std::int32_t a, std::int32_t) { return a % 3 == 0; }));
     }
   }
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <random>
@@ -49,15 +50,15 @@ Pairs all_of(const SortedPairs& list) {
 class ErodingBlocks {
  public:
   /// speed: of nodes in all directions, in elements over the time for which lists are built; size: that to which the
-  /// blocks are squeezed, so that what lies near each other in them may touch.
-  ErodingBlocks(double speed, double size) : model_(build_model<double>(eroding_blocks())) {
+  /// blocks are squeezed, so that what lies near each other in them may touch; waits: so do faces behind the surface.
+  ErodingBlocks(double speed, double size, bool waits = true) : model_(build_model<double>(eroding_blocks())) {
     Random random(17);
     auto &x = model_.nodes.position, &v = model_.nodes.velocity;
     for (std::size_t i = 0; i < x.size(); ++i) {
       x[i] = size * (x[i] + 0.01 * uniform(random, -1, 1));
       v[i] = 0.1 * speed / (horizon_steps * dt) * uniform(random, -1, 1);
     }
-    for (std::size_t e = 0; e < model_.slot_of_element.size(); ++e) strain_nearly_to_erosion(model_, {e});
+    for (std::size_t e = 0; waits && e < model_.slot_of_element.size(); ++e) strain_nearly_to_erosion(model_, {e});
     surface_.collect(source());
     edges_.collect(surface_);
     for (std::size_t e = 0; e < model_.slot_of_element.size(); ++e) {
@@ -75,6 +76,31 @@ class ErodingBlocks {
     lists.persist(archive, surface_, edges_, spheres_, settings_, model_.nodes.count);
   }
   bool follow(Lists& lists) const { return lists.follow_erosion(surface_, edges_, spheres_); }
+  /// For the coming step alone, which is hardly one.
+  void build_for_now(Lists& lists) const {
+    const std::vector<float> depth(static_cast<std::size_t>(model_.nodes.count), 0);
+    lists.build(source(), surface_, edges_, spheres_, settings_, depth, 1e-9 * dt, false);
+  }
+  /// A step, in which some nodes are thrown off their ways, some of them by so much that segments turn.
+  void move(Random& random) {
+    auto &x = model_.nodes.position, &v = model_.nodes.velocity;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += dt * v[i];
+    for (int thrown = 0; thrown < 4; ++thrown) {
+      const auto slave = static_cast<std::size_t>(uniform(random, 0, std::nextafter(surface_.slaves().size(), 0)));
+      const auto node = static_cast<std::size_t>(surface_.slaves()[slave].node);
+      for (std::size_t k = 0; k < 3; ++k) {
+        x[4 * node + k] += (thrown == 0 ? 0.1 : 0.01) * uniform(random, -1, 1);
+        v[4 * node + k] = -2 * v[4 * node + k];
+      }
+    }
+  }
+  bool hold(Lists& lists) const { return lists.holds(source()); }
+  bool follow_strays(Lists& lists) const {
+    const std::vector<float> depth(static_cast<std::size_t>(model_.nodes.count), 0);
+    return lists.follow_strays(source(), surface_, edges_, spheres_, depth);
+  }
+  static constexpr double dt = 1e-5;
+
   /// Takes some of the elements that were on the surface at first, all in one step.
   void erode_next(std::size_t count) {
     std::vector<std::int64_t> eroded;
@@ -113,8 +139,6 @@ class ErodingBlocks {
   }
 
  private:
-  static constexpr double dt = 1e-5;
-
   ModelSurface<double> source() const { return ModelSurface<double>(model_); }
 
   Model<double> model_;
@@ -178,6 +202,70 @@ TEST_P(FollowedLists, ThatWereReadAgainFollowAsTheOthersDo) {
     EXPECT_EQ(all_of(kept.nodes()), all_of(read.nodes()));
     EXPECT_EQ(all_of(kept.edges()), all_of(read.edges()));
   }
+}
+
+/// All that is near at a time is in lists that have followed until then. erodes: some elements, halfway.
+void expect_to_follow(ErodingBlocks& blocks, bool erodes) {
+  Random random(29);
+  Lists followed, left;
+  for (Lists* lists : {&followed, &left}) {
+    blocks.build(*lists);
+    lists->count_step(ErodingBlocks::dt);
+  }
+  int times = 0, longer = 0, missed = 0;
+  for (int step = 0; step < 15; ++step) {
+    blocks.move(random);
+    if (erodes && step == 7) {
+      blocks.erode_next(3);
+      blocks.follow(followed);
+      blocks.follow(left);
+    }
+    if (!blocks.hold(followed)) {
+      const std::int64_t before = followed.entries();
+      ASSERT_TRUE(blocks.follow_strays(followed)) << step;
+      EXPECT_EQ(followed.entries(),
+                before + followed.more_nodes().pieces.entries + followed.more_edges().pieces.entries);
+      longer += followed.entries() > before;
+      ++times;
+    }
+    EXPECT_TRUE(blocks.hold(followed));
+    Lists now;
+    blocks.build_for_now(now);
+    const Pairs nodes = blocks.nodes_that_matter(now), edges = blocks.edges_that_matter(now);
+    const auto has = [](const Pairs& all, const Pairs& some) {
+      return std::includes(all.begin(), all.end(), some.begin(), some.end());
+    };
+    EXPECT_TRUE(has(blocks.nodes_that_matter(followed), nodes)) << step;
+    EXPECT_TRUE(has(blocks.edges_that_matter(followed), edges)) << step;
+    missed += !has(blocks.nodes_that_matter(left), nodes) || !has(blocks.edges_that_matter(left), edges);
+    followed.count_step(ErodingBlocks::dt);
+    left.count_step(ErodingBlocks::dt);
+  }
+  EXPECT_GT(times, 5);
+  EXPECT_GT(longer, 3);
+  EXPECT_GT(missed, 0) << "lists that do not follow miss some";
+}
+
+TEST_P(FollowedLists, HaveAllThatNodesMeetThatStray) {
+  ErodingBlocks blocks(GetParam().speed, GetParam().size);
+  expect_to_follow(blocks, true);
+}
+
+/// Where nothing waits behind the surface, and little moves, nodes look one way.
+TEST_P(FollowedLists, HaveAllThatSegmentsMeetThatTurn) {
+  ErodingBlocks blocks(0.01 * GetParam().speed, GetParam().size, false);
+  expect_to_follow(blocks, false);
+}
+
+TEST(FeatureLists, ThatManyNodesHaveLeftAreToBeMadeAnew) {
+  ErodingBlocks blocks(3, 1);
+  Random random(31);
+  Lists lists;
+  blocks.build(lists);
+  lists.count_step(ErodingBlocks::dt);
+  for (int step = 0; step < 15; ++step) blocks.move(random);
+  EXPECT_FALSE(blocks.hold(lists));
+  EXPECT_FALSE(blocks.follow_strays(lists));
 }
 
 TEST(FeatureLists, ThatHoldNoLongerDoNotFollowErosion) {

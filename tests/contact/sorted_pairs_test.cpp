@@ -88,6 +88,19 @@ void expect_firsts_in_one_piece(const SortedPairs& list) {
   }
 }
 
+TEST(SortedPairs, ThatAreFewAreInOnePieceWithoutRoom) {
+  std::mt19937 random(7);
+  SortedPairs list;
+  for (const int count : {0, 1, 5, 300}) {
+    const std::set<Pair> expected = find_random(list, random, count, 100, 50);
+    list.sort_few();
+    EXPECT_EQ(pairs_of(list), std::vector<Pair>(expected.begin(), expected.end()));
+    EXPECT_EQ(list.pieces.count, 1);
+    EXPECT_EQ(list.pieces.entries, std::ssize(expected));
+    EXPECT_EQ(list.pieces.places, std::ssize(expected));
+  }
+}
+
 TEST(SortedPairs, OfOneFirstAreInOnePiece) {
   std::mt19937 random(5);
   SortedPairs list;

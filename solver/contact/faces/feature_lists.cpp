@@ -46,7 +46,7 @@ template <class S>
 S FeatureLists<S>::steps_to_last(const SegmentSurface<S>& surface) const {
   const std::int64_t entries = nodes_.pieces.entries + edges_.pieces.entries;
   const bool is_short = 4 * entries < std::ssize(surface.segments());
-  return is_short ? S(1.5) * horizon_steps : S(horizon_steps);
+  return is_short ? S(2) * horizon_steps : S(horizon_steps);
 }
 
 template <class S>
@@ -100,6 +100,7 @@ void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurfa
   };
   pairs_.find(bounds_.boxes(), settings.search, keep, &bounds_.directions());
   self_ = settings.self;
+  skin_ = static_cast<S>(settings.skin);
   features_.clear(segments);
 }
 
@@ -136,9 +137,9 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
     }
   });
   nodes_.sort(surface.slaves().size(), native_width<S>, true);
-  fill_node_pairs(surface);
+  nodes_.fill(surface);
   edges_.sort(edges.edges().size(), native_width<S>, true);
-  fill_edge_pairs(surface, edges);
+  edges_.fill(surface, edges);
   join_sphere_pairs();
   was_active_.resize(surface.segments().size());
   parallel_for("active segments", RangePolicy<>{0, segments},
@@ -180,11 +181,10 @@ bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const Edg
     const auto& slaves = surface.slaves_of(changed);
     changed_slaves_.insert(changed_slaves_.end(), slaves.begin(), slaves.end());
   }
+  const std::int64_t before = entries();
   mark_changed(surface);
-  const bool more = find_more(surface, edges, spheres);
-  unmark_changed(surface);
-  if (more) take_in_more(surface, edges);
-  return more;
+  take_in_more(surface, edges, spheres);
+  return entries() > before;
 }
 
 /// Where a segment with such a node looks may have changed, too, and so what its other nodes and all of its edges may
@@ -205,7 +205,8 @@ bool FeatureLists<S>::follow_strays(const SurfaceSource<S>& source, const Segmen
     scope_.depth[slave] = std::max(scope_.depth[slave], depth[nodes.back()]);
   }
   source.before_motion(nodes);
-  motion_.restart(strayed_, source.position, source.velocity, clock_.elapsed(), scope_.horizon - clock_.elapsed());
+  motion_.restart(strayed_, source.position, source.velocity, skin_, clock_.elapsed(),
+                  scope_.horizon - clock_.elapsed());
   bounds_.move(surface, strayed_, scope_);
   changed_slaves_ = strayed_;
   for (const std::int32_t slave : strayed_) {
@@ -219,21 +220,14 @@ bool FeatureLists<S>::follow_strays(const SurfaceSource<S>& source, const Segmen
     changed_slave_[slave] = has_strayed;
     for (const std::int32_t s : surface.around(slave)) near_change_[s] = has_strayed;
   }
-  const bool more = find_more(surface, edges, spheres);
-  unmark_changed(surface);
-  if (more) {
-    take_in_more(surface, edges);
-  } else {
-    more_nodes_.sort_few();
-    more_edges_.sort_few();
-  }
+  take_in_more(surface, edges, spheres);
   return true;
 }
 
 /// Boxes of segments around a change are made anew, and pairs with these found anew.
 template <class S>
-bool FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-                                const SphereSurface<S>& spheres) {
+void FeatureLists<S>::take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                                   const SphereSurface<S>& spheres) {
   const std::int32_t segments = surface.segments().size();
   const std::int64_t near = near_segments_.size();
   pairs_.prepare_to_look_up(bounds_.boxes());
@@ -246,11 +240,16 @@ bool FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTabl
   parallel_for("segments near changes", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     PairColumns& found = near_pairs_[piece];
     found.pairs = 0;
+    found_sphere_segments_[piece].clear();
     for (std::int64_t i = near * piece / fixed_pieces; i < near * (piece + 1) / fixed_pieces; ++i) {
       const std::int32_t own = near_segments_[i];
       if (!surface.active_segment(own)) continue;
       pairs_.for_each_meeting(bounds_.segment_box(own), [&](std::int32_t box) {
-        if (box >= segments) return;
+        if (box >= segments) {
+          const bool is_new = was_active_[own] == 0 && may_touch(surface, spheres, self_, own, box);
+          if (is_new) found_sphere_segments_[piece].push_back({box - segments, own});
+          return;
+        }
         const std::int32_t other = bounds_.segment_of(box);
         const bool again = near_change_[other] != 0 && other <= own;
         if (again || !may_touch(surface, spheres, self_, own, other)) return;
@@ -272,74 +271,14 @@ bool FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTabl
       add_features_of_pair(scope, pairs.first[pair], pairs.second[pair], changed, nodes, crossing);
     }
   });
-  const auto is_empty = [](const PairColumns& found) { return found.pairs == 0; };
-  return !std::ranges::all_of(more_nodes_.found(), is_empty) || !std::ranges::all_of(more_edges_.found(), is_empty);
-}
-
-/// Where a list has no room it is made anew, with some.
-template <class S>
-void FeatureLists<S>::take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
   more_nodes_.sort_few();
   more_edges_.sort_few();
-  const auto make_anew = [](SortedPairs& list, const SortedPairs& more, std::size_t firsts) {
-    for (PairColumns& some : list.found()) some.pairs = 0;
-    const auto add = [&list](std::int32_t a, std::int32_t b) { list.found()[0].add(a, b); };
-    list.for_each(add);
-    more.for_each(add);
-    list.sort(firsts, native_width<S>, true);
-  };
-  if (const auto room = nodes_.insert(more_nodes_)) {
-    room->make_in(nodes_.node.data());
-    room->make_in(nodes_.size.data());
-    room->make_in(nodes_.radius.data());
-    room->for_each_place([&](std::int64_t place) { fill_node_pair(surface, place); });
-  } else {
-    make_anew(nodes_, more_nodes_, surface.slaves().size());
-    fill_node_pairs(surface);
-  }
-  if (const auto room = edges_.insert(more_edges_)) {
-    for (auto& node : edges_.node) room->make_in(node.data());
-    room->make_in(edges_.size.data());
-    room->for_each_place([&](std::int64_t place) { fill_edge_pair(surface, edges, place); });
-  } else {
-    make_anew(edges_, more_edges_, edges.edges().size());
-    fill_edge_pairs(surface, edges);
-  }
-}
-
-template <class S>
-void FeatureLists<S>::fill_node_pairs(const SegmentSurface<S>& surface) {
-  nodes_.node.renew(nodes_.first.size());
-  nodes_.size.renew(nodes_.first.size());
-  nodes_.radius.renew(nodes_.first.size());
-  parallel_for("listed nodes", RangePolicy<>{0, nodes_.pieces.places},
-               [&](std::int64_t place) { fill_node_pair(surface, place); });
-}
-
-template <class S>
-void FeatureLists<S>::fill_node_pair(const SegmentSurface<S>& surface, std::int64_t place) {
-  const auto& segment = surface.segments()[nodes_.second[place]];
-  nodes_.node[place] = surface.slaves()[nodes_.first[place]].node;
-  nodes_.size[place] = segment.size;
-  nodes_.radius[place] = segment.radius;
-}
-
-template <class S>
-void FeatureLists<S>::fill_edge_pairs(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
-  for (auto& node : edges_.node) node.renew(edges_.first.size());
-  edges_.size.renew(edges_.first.size());
-  parallel_for("listed edges", RangePolicy<>{0, edges_.pieces.places},
-               [&](std::int64_t place) { fill_edge_pair(surface, edges, place); });
-}
-
-template <class S>
-void FeatureLists<S>::fill_edge_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int64_t place) {
-  const std::int32_t e = edges_.first[place], f = edges_.second[place];
-  for (std::size_t end = 0; end < 2; ++end) {
-    edges_.node[end][place] = edges.edges()[e].node[end];
-    edges_.node[2 + end][place] = edges.edges()[f].node[end];
-  }
-  edges_.size[place] = size_at_edge(surface, edges, e) + size_at_edge(surface, edges, f);
+  nodes_.take_in(more_nodes_, surface);
+  edges_.take_in(more_edges_, surface, edges);
+  std::vector<Pair>& with_spheres = spheres_.with_segments;
+  for (const auto& some : found_sphere_segments_) with_spheres.insert(with_spheres.end(), some.begin(), some.end());
+  std::sort(with_spheres.begin(), with_spheres.end());
+  unmark_changed(surface);
 }
 
 template <class S>
@@ -374,8 +313,8 @@ void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& su
   nodes.velocity = velocity.data();
   bounds_.renumber();
   find_pairs(nodes, surface, spheres, settings);
-  fill_node_pairs(surface);
-  fill_edge_pairs(surface, edges);
+  nodes_.fill(surface);
+  edges_.fill(surface, edges);
 }
 
 /// Of lists that were read, and hold: that they are of this surface.
@@ -400,11 +339,9 @@ template <class S>
 std::size_t FeatureLists<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t sum = motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(scope_.depth) + nodes_.bytes() +
-                    nodes_.node.bytes() + nodes_.size.bytes() + nodes_.radius.bytes() + edges_.bytes() +
-                    4 * edges_.node[0].bytes() + edges_.size.bytes() + of(spheres_.with_segments) +
-                    of(spheres_.with_spheres) + of(was_active_) + of(changed_slave_) + of(near_change_) +
-                    more_nodes_.bytes() + more_edges_.bytes() + features_.bytes() + of(near_segments_) +
-                    of(changed_slaves_) + of(strayed_);
+                    edges_.bytes() + of(spheres_.with_segments) + of(spheres_.with_spheres) + of(was_active_) +
+                    of(changed_slave_) + of(near_change_) + more_nodes_.bytes() + more_edges_.bytes() +
+                    features_.bytes() + of(near_segments_) + of(changed_slaves_) + of(strayed_);
   for (const PairColumns& pairs : near_pairs_) sum += pairs.bytes();
   for (const auto* found : {&found_sphere_segments_, &found_spheres_}) {
     for (const std::vector<Pair>& pairs : *found) sum += of(pairs);

@@ -15,6 +15,7 @@
 
 #include "feature_bounds.hpp"
 #include "features_in_pair.hpp"
+#include "listed_pairs.hpp"
 #include "segment_features.hpp"
 #include "sorted_pairs.hpp"
 
@@ -34,16 +35,8 @@ namespace pinball {
 template <class S>
 class FeatureLists {
  public:
-  /// Slaves and segments, by their numbers in the surface.
-  struct NodePairs : SortedPairs {
-    Array<std::int32_t> node;  ///< of the slave
-    Array<S> size, radius;     ///< of the segment [length]
-  };
-  /// Edges, by their numbers in the table.
-  struct EdgePairs : SortedPairs {
-    std::array<Array<std::int32_t>, 4> node;  ///< ends of the first and of the second
-    Array<S> size;                            ///< of the largest segments of both, together [length]
-  };
+  using NodePairs = ListedNodes<S>;
+  using EdgePairs = ListedEdges<S>;
   using Pair = std::array<std::int32_t, 2>;
   struct SpherePairs {
     std::vector<Pair> with_segments;  ///< a sphere and a segment
@@ -126,16 +119,10 @@ class FeatureLists {
   /// Marks slaves that have changed, and what is around them, or takes the marks away.
   void mark_changed(const SegmentSurface<S>& surface);
   void unmark_changed(const SegmentSurface<S>& surface);
-  /// Looks for what is near changed slaves; returns whether there is anything new.
-  bool find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres);
-  void take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  /// Looks for what is near changed slaves, and takes the marks away.
+  void take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres);
   FeaturesOf which_features() const { return allowed_ == nullptr ? FeaturesOf::owner : FeaturesOf::all; }
   void join_sphere_pairs();
-  /// What the kernels read of each pair.
-  void fill_node_pairs(const SegmentSurface<S>& surface);
-  void fill_node_pair(const SegmentSurface<S>& surface, std::int64_t place);
-  void fill_edge_pairs(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
-  void fill_edge_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int64_t place);
 
   const ContactPairs* allowed_ = nullptr;
   bool valid_ = false, watched_ = false;
@@ -145,6 +132,7 @@ class FeatureLists {
   FeatureBounds<S> bounds_;
   BoxPairs<S> pairs_;
   bool self_ = true;  ///< a body may touch itself
+  S skin_ = 0;        ///< contact.skin [-]
   SegmentFeatures<S> features_;
   std::vector<std::uint8_t> was_active_;  ///< per segment, when the lists were made
   NodePairs nodes_;
@@ -152,8 +140,8 @@ class FeatureLists {
   SpherePairs spheres_;
   SortedPairs more_nodes_, more_edges_;  ///< that came last
   std::vector<std::int32_t> strayed_;    ///< slaves, by follow_strays()
-  std::vector<std::int32_t>
-      changed_slaves_;  ///< that strayed, or of segments that look elsewhere or erosion has changed
+  /// Those that strayed, and those of segments that look elsewhere or that erosion has changed.
+  std::vector<std::int32_t> changed_slaves_;
   std::vector<std::int32_t> near_segments_;  ///< around changed slaves
   static constexpr std::uint8_t is_changed = 1, has_strayed = 2;
   std::vector<std::uint8_t> changed_slave_, near_change_;  ///< marks of both, taken away again

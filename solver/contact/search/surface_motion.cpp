@@ -80,8 +80,8 @@ void SurfaceMotion<S>::put_started(std::size_t place, const S* position, const S
 }
 
 template <class S>
-void SurfaceMotion<S>::put_allowance(std::size_t place, S allowance) {
-  const S unit = skin_ * size_[place];
+void SurfaceMotion<S>::put_allowance(std::size_t place, S allowance, S skin) {
+  const S unit = skin * size_[place];
   const S kept = allowance > S(least) * unit ? std::min(allowance, S(most) * unit) : S(least) * unit;
   const float rounded = allowance_[node_[place]] = static_cast<float>(kept);
   allowed2_[place] = static_cast<S>(rounded) * static_cast<S>(rounded);
@@ -90,7 +90,6 @@ void SurfaceMotion<S>::put_allowance(std::size_t place, S allowance) {
 template <class S>
 void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
   constexpr std::size_t W = native_width<S>;
-  skin_ = skin;
   while (node_.size() % W != 0) {  // padding repeats a node
     node_.push_back(node_.back());
     size_.push_back(size_.back());
@@ -103,7 +102,7 @@ void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
   parallel_for("start of nodes", RangePolicy<>{0, packs()}, [&](std::int64_t pack) {
     for (std::size_t place = pack * W; place < (pack + 1) * W; ++place) {
       put_started(place, position, velocity, S(0));
-      put_allowance(place, allowance_[node_[place]]);
+      put_allowance(place, allowance_[node_[place]], skin);
     }
   });
 }
@@ -148,8 +147,8 @@ void SurfaceMotion<S>::find_strayed(const S* position, S elapsed, std::vector<st
 
 /// A node that has strayed is likely to go on: it may stray as much again, or, as a steady force would have it, more.
 template <class S>
-void SurfaceMotion<S>::restart(std::span<const std::int32_t> places, const S* position, const S* velocity, S elapsed,
-                               S horizon) {
+void SurfaceMotion<S>::restart(std::span<const std::int32_t> places, const S* position, const S* velocity, S skin,
+                               S elapsed, S horizon) {
   const S growth = 2 * std::max(S(1), horizon / elapsed * (horizon / elapsed));
   for (const std::int32_t of : places) {
     const std::size_t first = of;
@@ -158,7 +157,7 @@ void SurfaceMotion<S>::restart(std::span<const std::int32_t> places, const S* po
     const S allowance = growth * square_root(dot(strayed, strayed));
     for (std::size_t place = first; place < count_ && node_[place] == node; ++place) {  // padding, too
       put_started(place, position, velocity, elapsed);
-      put_allowance(place, allowance);
+      put_allowance(place, allowance, skin);
     }
   }
 }
@@ -180,7 +179,7 @@ void SurfaceMotion<S>::put_start(Array<S>& position, Array<S>& velocity) const {
 template <class S>
 void SurfaceMotion<S>::persist(StateArchive& archive, std::int32_t node_count, bool watched) {
   std::uint64_t count = count_;
-  archive(count, node_, size_, skin_, start_, allowed2_, allowance_);
+  archive(count, node_, size_, start_, allowed2_, allowance_);
   if (!archive.reads()) return;
   count_ = count;
   const bool knows_nodes = std::ssize(allowance_) == node_count;

@@ -71,8 +71,9 @@ class SurfaceMotion {
   /// Those of the nodes watched that have: places in nodes(), without padding, ascending.
   void find_strayed(const S* position, S elapsed, std::vector<std::int32_t>& places) const;
   /// Starts nodes again, from where they are now and as they move now, with the same beginning of time as the others,
-  /// and allows them more. places: as found; elapsed, horizon: since start(), and from now on [time].
-  void restart(std::span<const std::int32_t> places, const S* position, const S* velocity, S elapsed, S horizon);
+  /// and allows them more. places: as found; skin: of start(); elapsed, horizon: since then, and from now on [time].
+  void restart(std::span<const std::int32_t> places, const S* position, const S* velocity, S skin, S elapsed,
+               S horizon);
   /// Where a node is taken to have been at the start, and how it is taken to move. place: in nodes().
   Vec3<S> start_position(std::size_t place) const { return started(place, 0); }
   Vec3<S> start_velocity(std::size_t place) const { return started(place, 3); }
@@ -97,9 +98,8 @@ class SurfaceMotion {
     return {of[0], of[W], of[2 * W]};
   }
   void put_started(std::size_t place, const S* position, const S* velocity, S elapsed);
-  void put_allowance(std::size_t place, S allowance);
+  void put_allowance(std::size_t place, S allowance, S skin);
   std::size_t count_ = 0;                 ///< nodes, padded to whole packs
-  S skin_ = 0;                            ///< of start() [-]
   std::vector<std::int32_t> node_;        ///< number in the store
   std::vector<std::uint8_t> is_watched_;  ///< per node of the store: in node_
   std::vector<S> size_;                   ///< what the allowance of the node is measured by [length]
