@@ -116,11 +116,14 @@ class Planting(unittest.TestCase):
 
     def test_choice_without_names_has_more_of_rooms_that_are_asked_for_twice(self):
         class Options:
-            # Of this seed no two overlap, of which one would be left out.
-            count, seed, files, rooms, only, unnamed = 30, 2, 4, ["rigid", "contact", "rigid"], "", True
-        faults = planting.choose(Options).values()
-        self.assertNotIn("named", {fault.rule for fault in faults})
-        self.assertEqual([sum(fault.room == room for fault in faults) for room in ("rigid", "contact")], [20, 10])
+            count, seed, files, rooms, only, unnamed = 30, 0, 4, ["rigid", "contact", "rigid"], "", True
+        found = []
+        for Options.seed in range(1, 7):
+            faults = planting.choose(Options).values()
+            self.assertNotIn("named", {fault.rule for fault in faults})
+            found.append([sum(fault.room == room for fault in faults) for room in ("rigid", "contact")])
+        # Of two that overlap the next one takes the place of one: in most seeds none do, whatever the sources are.
+        self.assertGreaterEqual(found.count([20, 10]), 3, found)
 
     def test_what_does_not_compile_is_blamed(self):
         text = "one\ntwo\nthree\n"
