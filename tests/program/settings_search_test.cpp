@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -108,6 +110,18 @@ TEST_F(SearchOfSettings, LeavesTheSourcesOnTheirMesh) {
   EXPECT_EQ(after["sources_mesh"], "2");
   EXPECT_EQ(of(after, "bar_velocity_z")["moved_by"]["time step"],
             of(before, "bar_velocity_z")["moved_by"]["time step"]);
+}
+
+/// So does what all sources come to where the mesh is the only one, and what is kept of it.
+TEST_F(SearchOfSettings, LeavesTheErrorBarOnItsMesh) {
+  const std::string options = " --quiet --only mesh --meshes 2,3,4 --of bar_velocity_z ";
+  ASSERT_EQ(converge(options + "--error 10%").status, 0);
+  const Json table = json(), bar = of(table, "bar_velocity_z");
+  ASSERT_NE(table["meshes"][0]["factor"], "2") << "no coarser one reaches the error";
+  ASSERT_EQ(table["sources_mesh"], "2");
+  const double value = bar["values"][1], low = bar["band"][0], high = bar["band"][1];
+  ASSERT_EQ(table["meshes"][1]["factor"], "2");
+  EXPECT_DOUBLE_EQ(bar["together"], std::max(std::abs(value - low), std::abs(value - high)));
 }
 
 }  // namespace

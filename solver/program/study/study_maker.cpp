@@ -80,7 +80,7 @@ void StudyMaker::run_mesh(const MeshFactor& factor) {
   const auto place = std::find_if(study_.meshes.begin(), study_.meshes.end(),
                                   [&factor](const StudyMesh& mesh) { return mesh.factor.value() > factor.value(); });
   const bool is_before_sources = place - study_.meshes.begin() <= static_cast<std::ptrdiff_t>(study_.sources_mesh);
-  if (!study_.sources.empty() && is_before_sources) ++study_.sources_mesh;
+  if (has_sources_mesh_ && is_before_sources) ++study_.sources_mesh;
   const std::string what = fmt::format("{}, elements {} times: {}", which, factor.text(), counts);
   const auto expected = expected_seconds(factor);
   StudyFolder shown = folder_;  // the coarsest and the finest are
@@ -101,6 +101,7 @@ void StudyMaker::run_sources() {
   const auto own = study_.own_mesh();
   const auto first = std::find_if(study_.meshes.begin(), study_.meshes.end(), came_to_its_end);
   if (first == study_.meshes.end()) return;
+  has_sources_mesh_ = true;
   study_.sources_mesh = own && came_to_its_end(study_.meshes[*own]) ? *own : (first - study_.meshes.begin());
   const Scene refined = refined_by(scene_, study_.meshes[study_.sources_mesh].factor);
   std::vector<ErrorSource> sources = settings_.sources;

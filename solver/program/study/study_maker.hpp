@@ -52,6 +52,7 @@ class StudyMaker {
   StudyBudget budget_;
   StudyFolder folder_;
   ConvergenceStudy study_;
+  bool has_sources_mesh_ = false;  ///< it has been chosen, also where no source is asked for
 };
 
 }  // namespace pinball
