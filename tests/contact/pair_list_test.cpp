@@ -285,10 +285,9 @@ class Straying : public ::testing::Test {
         put(nodes.velocity, n, v);
       }
     }
-    motion.clear(nodes.count);
-    for (const auto& corners : all.corners) {
-      for (const std::int32_t node : corners) motion.watch(node, 1);
-    }
+    motion.watch(
+        nodes.count, 8 * count, [&](std::int64_t i) { return all.corners[i / 8][i % 8]; },
+        [](std::int64_t /*i*/) { return 1.0; });
   }
   static void put(Array<double>& records, int n, const Vec3<double>& v) {
     double* r = records.data() + 4 * std::size_t(n);

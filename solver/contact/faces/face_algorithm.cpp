@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <kernels/exec.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 namespace pinball {
 
@@ -114,29 +115,28 @@ bool FaceAlgorithm<S>::follow_strays(const SurfaceSource<S>& source) {
 template <class S>
 void FaceAlgorithm<S>::choose_edge(std::int32_t edge) {
   for (const std::int32_t s : edges_.segments_of(edge)) surface_.choose(s);
-  for (const std::int32_t slave : edges_.edges()[edge].slave) listed_slave_[slave] = 1;
+  for (const std::int32_t slave : edges_.edges()[edge].slave) set_mark(listed_slave_[slave]);
 }
 
 template <class S>
 void FaceAlgorithm<S>::choose_listed() {
   surface_.choose_none();
   listed_slave_.assign(surface_.slaves().size(), 0);
-  for (const std::int32_t segment : lists_.nodes().second) {
+  const auto for_each_new = [](const std::vector<std::int32_t>& list, const auto& work) {
+    parallel_for("chosen of lists", RangePolicy<>{0, std::ssize(list)}, [&](std::int64_t i) {
+      if (i == 0 || list[i] != list[i - 1]) work(list[i]);
+    });
+  };
+  for_each_new(lists_.nodes().second, [this](std::int32_t segment) {
     surface_.choose(segment);
-    for (const std::int32_t slave : surface_.slaves_of(segment)) listed_slave_[slave] = 1;
-  }
-  std::int32_t before = -1;
-  for (const std::int32_t slave : lists_.nodes().first) {
-    if (slave == std::exchange(before, slave)) continue;
+    for (const std::int32_t slave : surface_.slaves_of(segment)) set_mark(listed_slave_[slave]);
+  });
+  for_each_new(lists_.nodes().first, [this](std::int32_t slave) {
     surface_.choose_around(slave);
-    listed_slave_[slave] = 1;
-  }
-  for (const auto* list : {&lists_.edges().first, &lists_.edges().second}) {
-    before = -1;
-    for (const std::int32_t e : *list) {
-      if (e != std::exchange(before, e)) choose_edge(e);
-    }
-  }
+    set_mark(listed_slave_[slave]);
+  });
+  for_each_new(lists_.edges().first, [this](std::int32_t edge) { choose_edge(edge); });
+  for_each_new(lists_.edges().second, [this](std::int32_t edge) { choose_edge(edge); });
   finish_choice();
 }
 
@@ -158,10 +158,12 @@ void FaceAlgorithm<S>::choose_more() {
 template <class S>
 void FaceAlgorithm<S>::finish_choice() {
   surface_.finish_choice();
-  listed_nodes_.clear();
-  for (std::size_t slave = 0; slave < listed_slave_.size(); ++slave) {
-    if (listed_slave_[slave] != 0) listed_nodes_.push_back(surface_.slaves()[slave].node);
-  }
+  list_where("listed nodes", std::ssize(listed_slave_), listed_nodes_,
+             [this](std::int64_t slave) { return listed_slave_[slave] != 0; });
+  parallel_for("nodes of slaves", RangePolicy<>{0, std::ssize(listed_nodes_)}, [this](std::int64_t i) {
+    std::int32_t& number = listed_nodes_[i];
+    number = surface_.slaves()[number].node;
+  });
 }
 
 template <class S>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <kernels/exec.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 namespace pinball {
 
@@ -35,6 +36,39 @@ template <class S>
 constexpr S strays_ahead = 4;
 
 RangePolicy<> all_of(std::int64_t count) { return {0, count}; }
+
+/// Segments, each once, in the order in which they come.
+class SegmentsOfGroup {
+ public:
+  void clear() {
+    // The last first: each is found past those that came before it.
+    for (; !all_.empty(); all_.pop_back()) table_[place_of(all_.back())] = none;
+  }
+  void add(std::int32_t segment) {
+    std::int32_t& place = table_[place_of(segment)];
+    if (place == segment) return;
+    place = segment;
+    all_.push_back(segment);
+    if (2 * all_.size() > table_.size()) grow();
+  }
+  std::span<const std::int32_t> all() const { return all_; }
+
+ private:
+  static constexpr std::int32_t none = -1;
+  /// Where a segment is, or would go.
+  std::size_t place_of(std::int32_t segment) const {
+    std::size_t place = static_cast<std::size_t>(segment) & (table_.size() - 1);
+    while (table_[place] != none && table_[place] != segment) place = (place + 1) & (table_.size() - 1);
+    return place;
+  }
+  void grow() {
+    table_.assign(2 * table_.size(), none);
+    for (const std::int32_t s : all_) table_[place_of(s)] = s;
+  }
+
+  std::vector<std::int32_t> all_;
+  std::vector<std::int32_t> table_ = std::vector<std::int32_t>(512, none);  ///< of a power of two, half empty at least
+};
 
 }  // namespace
 
@@ -105,32 +139,53 @@ void FeatureBounds<S>::choose_order(const SegmentSurface<S>& surface) {
     auto operator<=>(const Key&) const = default;
   };
   std::vector<Key> keys(segments);
-  for (std::size_t s = 0; s < segments; ++s) {
-    const std::int32_t segment = s;
-    keys[s] = {surface.segments()[s].body, way_of(segment), segment};
-  }
   order_.resize(segments);
   place_.resize(segments);
-  for (std::size_t begin = 0; begin < segments; begin += part) {
-    const std::size_t end = std::min(segments, begin + part);
+  parallel_for("order of segments", all_of((segments + part - 1) / part), [&](std::int64_t number) {
+    const std::size_t begin = number * part, end = std::min(segments, begin + part);
+    for (std::size_t s = begin; s < end; ++s) {
+      const std::int32_t segment = s;
+      keys[s] = {surface.segments()[s].body, way_of(segment), segment};
+    }
     std::sort(keys.begin() + begin, keys.begin() + end);
     for (std::size_t place = begin; place < end; ++place) {
       order_[place] = keys[place].segment;
       place_[order_[place]] = place;
     }
-  }
-  std::vector<std::int32_t> last_group(segments, -1);
-  around_.clear();
-  around_begin_.assign(1, 0);
-  for (std::size_t place = 0; place < segments; ++place) {
-    const auto group = static_cast<std::int32_t>(place / ball_group<S>);
-    for (const std::int32_t slave : surface.slaves_of(order_[place])) {
-      for (const std::int32_t s : surface.around(slave)) {
-        if (std::exchange(last_group[s], group) != group) around_.push_back(s);
+  });
+  find_around(surface);
+}
+
+/// Segments around the nodes of each group, each once, in the order in which they are come across.
+template <class S>
+void FeatureBounds<S>::find_around(const SegmentSurface<S>& surface) {
+  constexpr std::int64_t G = ball_group<S>;
+  const std::int64_t segments = std::ssize(order_), groups = (segments + G - 1) / G;
+  const auto for_each_group = [&](const char* name, const auto& work) {
+    parallel_for(name, RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+      SegmentsOfGroup found;
+      const std::int64_t end = groups * (piece + 1) / fixed_pieces;
+      for (std::int64_t group = groups * piece / fixed_pieces; group < end; ++group) {
+        found.clear();
+        for (std::int64_t place = group * G; place < std::min(segments, (group + 1) * G); ++place) {
+          for (const std::int32_t slave : surface.slaves_of(order_[place])) {
+            for (const std::int32_t s : surface.around(slave)) found.add(s);
+          }
+        }
+        work(group, found.all());
       }
-    }
-    if ((place + 1) % ball_group<S> == 0 || place + 1 == segments) around_begin_.push_back(around_.size());
-  }
+    });
+  };
+  around_begin_.assign(groups, 0);
+  for_each_group("counts around groups", [&](std::int64_t group, std::span<const std::int32_t> found) {
+    around_begin_[group] = std::ssize(found);
+  });
+  const std::int64_t whole = make_offsets(around_begin_);
+  around_begin_.push_back(whole);
+  around_.resize(whole);
+  for_each_group("segments around groups", [&](std::int64_t group, std::span<const std::int32_t> found) {
+    std::copy(found.begin(), found.end(), around_.begin() + around_begin_[group]);
+  });
 }
 
 template <class S>

@@ -78,6 +78,7 @@ class FeatureBounds {
   Facing<S> facing_of(const std::int32_t (&node)[4], const Start& start, S strays) const;
 
   void choose_order(const SegmentSurface<S>& surface);
+  void find_around(const SegmentSurface<S>& surface);
   void find_directions(const SegmentSurface<S>& surface);
 
   const SurfaceMotion<S>* motion_ = nullptr;

@@ -29,15 +29,16 @@ struct Everything {
 template <class S>
 void FeatureLists<S>::watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
                                   const SphereSurface<S>& spheres) {
-  motion_.clear(source.node_count);
-  for (const auto& slave : surface.slaves()) {
+  const std::int64_t slaves = std::ssize(surface.slaves());
+  const auto node_of = [&](std::int64_t i) {
+    return i < slaves ? surface.slaves()[i].node : spheres.spheres()[i - slaves].node;
+  };
+  motion_.watch(source.node_count, slaves + spheres.count(), node_of, [&](std::int64_t i) {
+    if (i >= slaves) return spheres.spheres()[i - slaves].radius;
     S least = std::numeric_limits<S>::max();
-    for (const std::int32_t s : surface.around(&slave - surface.slaves().data())) {
-      least = std::min(least, surface.segments()[s].size);
-    }
-    motion_.watch(slave.node, least);
-  }
-  for (const auto& sphere : spheres.spheres()) motion_.watch(sphere.node, sphere.radius);
+    for (const std::int32_t s : surface.around(i)) least = std::min(least, surface.segments()[s].size);
+    return least;
+  });
 }
 
 /// Where lists are short beside the surface, bounds of all of it are most of a search, and what else comes into longer

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <kernels/exec.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 #include "pinball_rows.hpp"
 
@@ -48,31 +49,29 @@ PinballAlgorithm<S>::PinballAlgorithm(const ContactSettings& settings, const Sur
       surface_(std::move(start.topology)) {
   penalty_ = {static_cast<S>(settings.beta), static_cast<S>(settings.damping)};
   std::vector<std::int32_t> exposed;
-  for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
-    if (surface_.exposed(slot) != 0) exposed.push_back(slot);
-  }
+  list_where("elements of a surface", surface_.slots(), exposed,
+             [this](std::int64_t slot) { return surface_.exposed(slot) != 0; });
   all_.update(source, settings.radius_factor, surface_, exposed, all_before_);
   watch_nodes(source);
 }
 
 template <class S>
 void PinballAlgorithm<S>::watch_nodes(const SurfaceSource<S>& source) {
-  motion_.clear(source.node_count);
-  for (std::size_t p = 0; p < all_.corners.size(); ++p) {
-    for (const std::int32_t node : all_.corners[p]) motion_.watch(node, all_.radius[p]);
-  }
+  motion_.watch(
+      source.node_count, 8 * std::ssize(all_.corners), [&](std::int64_t i) { return all_.corners[i / 8][i % 8]; },
+      [&](std::int64_t i) { return all_.radius[i / 8]; });
 }
 
 template <class S>
 void PinballAlgorithm<S>::update_exposure() {
-  for (std::int32_t p = 0; p < pinballs_.count; ++p) {
+  parallel_for("exposed faces", RangePolicy<>{0, pinballs_.count}, [this](std::int64_t p) {
     const std::uint8_t exposed = surface_.exposed(pinballs_.slot[p]);
     for (int f = 0; f < 6; ++f) {
       pinballs_.exposed[place_in_packs<native_width<S>>(p, f, 6)] = (exposed >> f & 1) != 0 ? S(1) : S(0);
     }
     const S radius = record(pinballs_.centre.data(), p)[3];
     record(pinballs_.outward.data(), p)[3] = exposed != 0 ? pinballs_.bulk_modulus[p] * radius : S(0);
-  }
+  });
 }
 
 template <class S>
@@ -113,10 +112,16 @@ void PinballAlgorithm<S>::update_geometry(const SurfaceSource<S>& source) {
 template <class S>
 bool PinballAlgorithm<S>::list_holds(const SurfaceSource<S>& source) const {
   if (!list_valid_ || clock_.over() || !motion_.holds(source.position, clock_.elapsed())) return false;
-  for (std::size_t p = 0; p < radius_.size(); ++p) {
-    if (!(current_radius(source, all_.corners[p]) <= static_cast<S>(radius_growth) * radius_[p])) return false;
-  }
-  return true;
+  bool grown = false;
+  parallel_reduce(
+      "radii", RangePolicy<>{0, std::ssize(radius_)}, grown,
+      [&](std::int64_t begin, std::int64_t end, bool& partial) {
+        for (std::int64_t p = begin; p < end && !partial; ++p) {
+          partial = !(current_radius(source, all_.corners[p]) <= static_cast<S>(radius_growth) * radius_[p]);
+        }
+      },
+      [](bool& whole, bool partial) { whole = whole || partial; });
+  return !grown;
 }
 
 template <class S>
@@ -175,37 +180,40 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   constexpr int W = native_width<S>;
   const std::int32_t n = list_.size();
   pinballs_.reset(n, W);
-  for (std::int32_t p = 0; p < n; ++p) {
-    const std::int32_t a = list_.listed()[p];
-    pinballs_.slot.push_back(all_.slot[a]);
+  const std::int32_t padded = (n + W - 1) / W * W;
+  parallel_for("listed pinballs", RangePolicy<>{0, padded}, [&](std::int64_t p) {
+    const std::int32_t a = list_.listed()[std::min<std::int64_t>(p, n - 1)];  // padding repeats corners of the last one
+    for (int i = 0; i < 8; ++i) pinballs_.corner[place_in_packs<native_width<S>>(p, i, 8)] = all_.corners[a][i];
+    if (p >= n) return;
+    pinballs_.slot[p] = all_.slot[a];
     pinballs_.corners[p] = all_.corners[a];
     pinballs_.bulk_modulus[p] = all_.bulk_modulus[a];
     record(pinballs_.centre.data(), p)[3] = all_.radius[a];
     record(pinballs_.velocity.data(), p)[3] = all_.mass[a];
-  }
-  auto next = pinballs_.slot.begin();
-  for (const std::int64_t pack : source.tile_packs) {
-    while (next != pinballs_.slot.end() && *next < pack * source.tile_pack_width) ++next;
-    pinballs_.tile_first.push_back(next - pinballs_.slot.begin());
-  }
-  const std::int32_t padded = (n + W - 1) / W * W;
-  for (std::int32_t p = 0; p < padded; ++p) {  // padding repeats the corners of the last pinball
-    const std::array<std::int32_t, 8>& corners = pinballs_.corners[std::min(p, n - 1)];
-    for (int i = 0; i < 8; ++i) pinballs_.corner[place_in_packs<native_width<S>>(p, i, 8)] = corners[i];
-  }
+  });
+  pinballs_.tile_first.resize(source.tile_packs.size());
+  parallel_for("pinballs of tiles", RangePolicy<>{0, std::ssize(source.tile_packs)}, [&](std::int64_t tile) {
+    const auto begin = pinballs_.slot.begin();
+    const std::int64_t slot = source.tile_packs[tile] * source.tile_pack_width;
+    pinballs_.tile_first[tile] = std::lower_bound(begin, pinballs_.slot.end(), slot) - begin;
+  });
   update_exposure();
-  for (const std::int32_t node : node_) is_listed_[node] = 0;
-  node_.clear();
-  is_listed_.resize(source.node_count, 0);
-  const auto add = [this](const auto& nodes) {
-    for (const std::int32_t node : nodes) {
-      std::uint8_t& listed = is_listed_[node];
-      if (listed == 0) node_.push_back(node);
-      listed = 1;
-    }
+  list_nodes(source.node_count);
+}
+
+template <class S>
+void PinballAlgorithm<S>::list_nodes(std::int32_t node_count) {
+  is_listed_.resize(node_count, 0);
+  const auto for_each_node = [this](const std::vector<std::int32_t>& nodes, std::uint8_t mark) {
+    parallel_for("marks of nodes", RangePolicy<>{0, std::ssize(nodes)},
+                 [&](std::int64_t i) { is_listed_[nodes[i]] = mark; });
   };
-  for (const auto& corners : pinballs_.corners) add(corners);
-  if (on_faces_) add(on_faces_->listed_nodes());
+  for_each_node(node_, 0);
+  parallel_for("nodes of pinballs", RangePolicy<>{0, std::ssize(pinballs_.corners)}, [this](std::int64_t p) {
+    for (const std::int32_t node : pinballs_.corners[p]) set_mark(is_listed_[node]);
+  });
+  if (on_faces_) for_each_node(on_faces_->listed_nodes(), 1);
+  list_where("listed nodes", node_count, node_, [this](std::int64_t node) { return is_listed_[node] != 0; });
 }
 
 template <class S>

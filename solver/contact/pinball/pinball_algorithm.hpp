@@ -54,6 +54,7 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   /// Builds the list for a time to come, and the store of the pinballs that are in it.
   void build_list(const SurfaceSource<S>& source);
   void collect_listed(const SurfaceSource<S>& source);
+  void list_nodes(std::int32_t node_count);
   /// Exposed faces of the listed pinballs, and which of them take part.
   void update_exposure();
   /// Centres, velocities, normals and (on demand) radii of the listed pinballs.
@@ -72,7 +73,7 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   PairList<S> list_;
   PairForces<S> pair_forces_;
   PinballStore<S> pinballs_;             ///< those in the list
-  std::vector<std::int32_t> node_;       ///< corners of the listed pinballs, each once
+  std::vector<std::int32_t> node_;       ///< corners of the listed pinballs, from the lowest up
   std::vector<std::uint8_t> is_listed_;  ///< per node of the store: among these
   std::vector<S> radius_;                ///< of all pinballs, when the list was built; only where radii change [length]
   PenaltyConstants<S> penalty_;

@@ -28,7 +28,7 @@ struct PinballStore {
   std::vector<std::int32_t> slot;                    ///< of the element
   std::vector<std::int32_t> tile_first;              ///< first pinball of each tile of elements; tiles + 1 entries
 
-  /// Makes room for n pinballs; all numbers are zero, `slot` and `tile_first` are empty.
+  /// Makes room for n pinballs; all numbers but of `slot` and `corners` are zero.
   void reset(std::int32_t n, int width) {
     count = n;
     const std::size_t padded = (n + width - 1) / width * width;
@@ -37,8 +37,7 @@ struct PinballStore {
     bulk_modulus.reset(padded);
     for (Array<S>* records : {&centre, &velocity, &outward, &two_sided, &force}) records->reset(4 * padded);
     corners.resize(n);
-    slot.clear();
-    tile_first.clear();
+    slot.resize(n);
   }
 
   PinballView<S> view() const { return {centre.data(), velocity.data(), outward.data(), two_sided.data()}; }

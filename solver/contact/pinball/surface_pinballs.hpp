@@ -38,10 +38,10 @@ struct SurfacePinballs {
   std::size_t bytes() const;
 
  private:
-  void clear();
-  /// Pinballs `begin` to `end` of others.
-  void append(const SurfacePinballs& others, std::size_t begin, std::size_t end);
-  void append(const SurfaceSource<S>& source, double radius_factor, std::int64_t slot);
+  void make_room();
+  /// Sets one to one of others, or to that of an element.
+  void put(std::size_t p, const SurfacePinballs& others, std::size_t q);
+  void put(std::size_t p, const ContactElement& element, double radius_factor);
 };
 
 }  // namespace pinball

@@ -30,24 +30,6 @@ PINBALL_FUNCTION T deviation2(const ScalarOf<T>* position, const std::int32_t* n
 }  // namespace
 
 template <class S>
-void SurfaceMotion<S>::clear(std::int32_t node_count) {
-  is_watched_.resize(node_count, 0);
-  allowance_.resize(node_count, 0);
-  for (const std::int32_t node : node_) is_watched_[node] = 0;
-  node_.clear();
-  size_.clear();
-}
-
-template <class S>
-void SurfaceMotion<S>::watch(std::int32_t node, S size) {
-  std::uint8_t& watched = is_watched_[node];
-  if (watched != 0) return;
-  watched = 1;
-  node_.push_back(node);
-  size_.push_back(size);
-}
-
-template <class S>
 std::int64_t SurfaceMotion<S>::packs() const {
   return count_ / native_width<S>;
 }
@@ -187,14 +169,12 @@ void SurfaceMotion<S>::persist(StateArchive& archive, std::int32_t node_count, b
   archive.require(count_ % native_width<S> == 0 && (count_ == 0 || count_ == node_.size()));
   archive.require(size_.size() == node_.size() && start_.size() == 6 * count_ && allowed2_.size() == count_);
   archive.require_all(node_, 0, node_count);
-  is_watched_.assign(allowance_.size(), 0);  // both are made together
-  for (const std::int32_t node : node_) is_watched_[node] = 1;
 }
 
 template <class S>
 std::size_t SurfaceMotion<S>::bytes() const {
-  return node_.capacity() * (sizeof(node_[0]) + sizeof(S)) + is_watched_.capacity() +
-         allowance_.capacity() * sizeof(float) + start_.bytes() + allowed2_.bytes();
+  return node_.capacity() * (sizeof(node_[0]) + sizeof(S)) + allowance_.capacity() * sizeof(float) + start_.bytes() +
+         allowed2_.bytes();
 }
 
 template class SurfaceMotion<double>;

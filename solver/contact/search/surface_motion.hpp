@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include <kernels/exec/array.hpp>
 #include <kernels/simd.hpp>
 #include <kernels/tensor.hpp>
+#include <solver/base/lists_in_order.hpp>
 #include <solver/base/state_archive.hpp>
 
 namespace pinball {
@@ -52,11 +54,11 @@ inline constexpr int horizon_steps = 20;
 template <class S>
 class SurfaceMotion {
  public:
-  /// Forgets the nodes; node_count: of the store.
-  void clear(std::int32_t node_count);
-  /// Adds a node to those watched; one that is among them stays as it is. size: what its allowance is measured by, the
-  /// radius of a pinball or element that it belongs to [length].
-  void watch(std::int32_t node, S size);
+  /// Watches these nodes and no others. node_count: of the store; node_of(i), for i below `count`: a node, perhaps that
+  /// of another i, too; size_of(i), of the first i of a node: what its allowance is measured by, the radius of a
+  /// pinball or element that it belongs to [length].
+  template <class NodeOf, class SizeOf>
+  void watch(std::int32_t node_count, std::int64_t count, const NodeOf& node_of, const SizeOf& size_of);
   /// Adapts the allowances to what the nodes have strayed since start(), for a time to come.
   /// position: of the node store; elapsed: since start(); horizon: the time to come [time].
   void adapt(const S* position, S elapsed, S horizon);
@@ -99,13 +101,28 @@ class SurfaceMotion {
   }
   void put_started(std::size_t place, const S* position, const S* velocity, S elapsed);
   void put_allowance(std::size_t place, S allowance, S skin);
-  std::size_t count_ = 0;                 ///< nodes, padded to whole packs
-  std::vector<std::int32_t> node_;        ///< number in the store
-  std::vector<std::uint8_t> is_watched_;  ///< per node of the store: in node_
-  std::vector<S> size_;                   ///< what the allowance of the node is measured by [length]
-  Array<S> start_;                        ///< in packs, 6 components: position and velocity
-  Array<S> allowed2_;                     ///< square of the allowance [length^2]
-  std::vector<float> allowance_;          ///< per node of the store [length]
+
+  std::size_t count_ = 0;           ///< nodes, padded to whole packs
+  std::vector<std::int32_t> node_;  ///< number in the store, from the lowest up
+  std::vector<S> size_;             ///< what the allowance of the node is measured by [length]
+  Array<S> start_;                  ///< in packs, 6 components: position and velocity
+  Array<S> allowed2_;               ///< square of the allowance [length^2]
+  std::vector<float> allowance_;    ///< per node of the store [length]
 };
+
+template <class S>
+template <class NodeOf, class SizeOf>
+void SurfaceMotion<S>::watch(std::int32_t node_count, std::int64_t count, const NodeOf& node_of,
+                             const SizeOf& size_of) {
+  constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
+  std::vector<std::int32_t> first(node_count, none);
+  allowance_.resize(node_count, 0);
+  parallel_for("nodes watched", RangePolicy<>{0, count},
+               [&](std::int64_t i) { keep_lowest(first[node_of(i)], static_cast<std::int32_t>(i)); });
+  list_where("list of nodes watched", node_count, node_, [&](std::int64_t node) { return first[node] != none; });
+  size_.resize(node_.size());
+  parallel_for("sizes of nodes", RangePolicy<>{0, std::ssize(node_)},
+               [&](std::int64_t i) { size_[i] = size_of(first[node_[i]]); });
+}
 
 }  // namespace pinball

@@ -2,45 +2,72 @@
 
 #include <algorithm>
 
+#include <solver/base/lists_in_order.hpp>
+
 namespace pinball {
+
+namespace {
+
+/// An edge at a node, as a side of a segment there. other, slave: node and slave at its other end.
+struct End {
+  std::int32_t other, segment, side, slave;
+};
+
+/// The edges from the node of a slave to nodes of higher numbers, by these and by the segments.
+template <class S>
+void find_ends(const SegmentSurface<S>& surface, std::int64_t slave, std::vector<End>& ends) {
+  const std::int32_t node = surface.slaves()[slave].node;
+  ends.clear();
+  for (const std::int32_t s : surface.around(slave)) {
+    const auto& segment = surface.segments()[s];
+    for (std::int32_t k = 0; k < 4; ++k) {
+      const std::int32_t a = segment.node[k], b = segment.node[(k + 1) % 4];
+      const std::size_t next = (k + 1) % 4;
+      const std::array<std::int32_t, 4>& slaves = surface.slaves_of(s);
+      if (a == node && b > node) ends.push_back({b, s, k, slaves[next]});
+      if (b == node && a > node) ends.push_back({a, s, k, slaves[k]});
+    }
+  }
+  std::sort(ends.begin(), ends.end(),
+            [](const End& a, const End& b) { return a.other != b.other ? a.other < b.other : a.segment < b.segment; });
+}
+
+}  // namespace
 
 template <class S>
 void EdgeTable<S>::collect(const SegmentSurface<S>& surface) {
-  struct End {
-    std::int32_t other, segment, side, slave;
-  };
-  edges_.clear();
   edges_of_.assign(surface.segments().size(), {-1, -1, -1, -1});
-  std::vector<End> ends;  // of the edges from a node to nodes of higher numbers
-  for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
-    const std::int32_t node = surface.slaves()[i].node;
-    ends.clear();
-    for (const std::int32_t s : surface.around(i)) {
-      const auto& segment = surface.segments()[s];
-      for (std::int32_t k = 0; k < 4; ++k) {
-        const std::int32_t a = segment.node[k], b = segment.node[(k + 1) % 4];
-        const std::size_t next = (k + 1) % 4;
-        const std::array<std::int32_t, 4>& slaves = surface.slaves_of(s);
-        if (a == node && b > node) ends.push_back({b, s, k, slaves[next]});
-        if (b == node && a > node) ends.push_back({a, s, k, slaves[k]});
+  const std::int64_t slaves = std::ssize(surface.slaves());
+  std::vector<std::int64_t> first(slaves);
+  const auto for_each_slave = [&](const char* name, const auto& work) {
+    parallel_for(name, RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+      std::vector<End> ends;
+      const std::int64_t end = slaves * (piece + 1) / fixed_pieces;
+      for (std::int64_t i = slaves * piece / fixed_pieces; i < end; ++i) {
+        find_ends(surface, i, ends);
+        work(i, ends);
       }
-    }
-    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
-      return a.other != b.other ? a.other < b.other : a.segment < b.segment;
     });
-    for (std::size_t e = 0; e < ends.size();) {
-      const End& first = ends[e];
-      Edge edge{{node, first.other}, {static_cast<std::int32_t>(i), first.slave}, {}};
+  };
+  for_each_slave("edges of slaves", [&](std::int64_t i, const std::vector<End>& ends) {
+    for (std::size_t e = 0; e < ends.size(); ++e) first[i] += e == 0 || ends[e].other != ends[e - 1].other ? 1 : 0;
+  });
+  edges_.resize(make_offsets(first));
+  for_each_slave("edges", [&](std::int64_t i, const std::vector<End>& ends) {
+    std::int64_t number = first[i];
+    for (std::size_t e = 0; e < ends.size(); ++number) {
+      const End& one = ends[e];
+      Edge edge{{surface.slaves()[i].node, one.other}, {static_cast<std::int32_t>(i), one.slave}, {}};
       edge.segment.fill(-1);
       std::size_t count = 0;
-      for (; e < ends.size() && ends[e].other == first.other; ++e) {
-        edges_of_[ends[e].segment][ends[e].side] = edges_.size();
+      for (; e < ends.size() && ends[e].other == one.other; ++e) {
+        edges_of_[ends[e].segment][ends[e].side] = static_cast<std::int32_t>(number);
         const bool again = count > 0 && edge.segment[count - 1] == ends[e].segment;  // around a node that it has twice
         if (!again && count < most_segments) edge.segment[count++] = ends[e].segment;
       }
-      edges_.push_back(edge);
+      edges_[number] = edge;
     }
-  }
+  });
 }
 
 template class EdgeTable<double>;

@@ -1,12 +1,14 @@
 #include "segment_surface.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
 #include <kernels/exec.hpp>
 #include <kernels/gather.hpp>
 #include <kernels/hexahedron.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 namespace pinball {
 
@@ -61,101 +63,124 @@ void SegmentSurface<S>::collect_faces(const SurfaceSource<S>& source, const std:
   active_.reset(padded);
   sphere_.reset(4 * padded);
   plane_.reset(4 * padded);
-  for (std::size_t s = 0; s < padded; ++s) {  // padding repeats the last segment
+  parallel_for("corners of segments", RangePolicy<>{0, static_cast<std::int64_t>(padded)}, [&](std::int64_t place) {
+    const std::size_t s = place;  // padding repeats the last segment
     const Segment& segment = segments_[std::min(s, segments_.size() - 1)];
     for (std::size_t i = 0; i < 4; ++i) corner_[(s / W * 4 + i) * W + s % W] = segment.node[i];
-  }
+    if (s < segments_.size()) active_[s] = exposed(segment.slot, segment.face) ? S(1) : S(0);
+  });
   chosen_.resize(packs());
   std::iota(chosen_.begin(), chosen_.end(), 0);
-  active_segments_ = 0;
   just_changed_.clear();
-  for (std::size_t s = 0; s < segments_.size(); ++s) renew_activity(s);
-  for (std::size_t slave = 0; slave < slaves_.size(); ++slave) update_slave(slave);
+  active_segments_ = 0;
+  parallel_reduce(
+      "active segments", RangePolicy<>{0, std::ssize(segments_)}, active_segments_,
+      [&](std::int64_t begin, std::int64_t end, std::int64_t& partial) {
+        for (std::int64_t s = begin; s < end; ++s) partial += active_segment(static_cast<std::int32_t>(s)) ? 1 : 0;
+      },
+      [](std::int64_t& whole, std::int64_t partial) { whole += partial; });
+  parallel_for("slaves", RangePolicy<>{0, std::ssize(slaves_)}, [&](std::int64_t slave) { update_slave(slave); });
 }
 
 template <class S>
 void SegmentSurface<S>::finish_choice() {
-  chosen_.clear();
-  for (std::size_t pack = 0; pack < asked_for_.size(); ++pack) {
-    if (asked_for_[pack] != 0) chosen_.push_back(pack);
-  }
+  list_where("chosen segments", std::ssize(asked_for_), chosen_,
+             [this](std::int64_t pack) { return asked_for_[pack] != 0; });
 }
 
 /// Per slot a bit for each face that is to be a segment.
 template <class S>
 std::vector<std::uint8_t> SegmentSurface<S>::exposed_and_waiting(const SurfaceSource<S>& source) const {
   std::vector<std::uint8_t> faces(topology_.slots());
-  for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
+  parallel_for("faces of a surface", RangePolicy<>{0, topology_.slots()}, [&](std::int64_t slot) {
     const std::uint8_t exposed = topology_.exposed(slot);
-    if (exposed == 0) continue;
-    faces[slot] |= exposed;
-    if (!source.may_soon_erode(slot)) continue;
-    topology_.for_each_face_behind(slot, [&](std::int32_t behind, unsigned face) { faces[behind] |= 1U << face; });
-  }
+    if (exposed == 0) return;
+    set_bits(faces[slot], exposed);
+    if (!source.may_soon_erode(slot)) return;
+    topology_.for_each_face_behind(slot, [&](std::int32_t behind, unsigned face) {
+      set_bits(faces[behind], static_cast<std::uint8_t>(1U << face));
+    });
+  });
   return faces;
 }
 
 template <class S>
 void SegmentSurface<S>::collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
-  segments_.clear();
-  for (std::size_t slot = 0; slot < faces.size(); ++slot) {
-    if (faces[slot] == 0) continue;
-    const std::int32_t s = slot;
-    const ContactElement element = source.element(s);
-    if (element.sphere) continue;
+  std::vector<std::int32_t> slots;
+  list_where("elements of a surface", std::ssize(faces), slots, [&](std::int64_t slot) { return faces[slot] != 0; });
+  std::vector<std::int64_t> first(slots.size());
+  constexpr std::uint8_t all_faces = 63;  // as spheres have them
+  parallel_for("faces of elements", RangePolicy<>{0, std::ssize(slots)}, [&](std::int64_t i) {
+    const std::int32_t slot = slots[i];
+    const bool sphere = faces[slot] == all_faces && source.element(slot).sphere;
+    first[i] = sphere ? 0 : std::popcount(faces[slot]);
+  });
+  segments_.resize(make_offsets(first));
+  parallel_for("segments of elements", RangePolicy<>{0, std::ssize(slots)}, [&](std::int64_t i) {
+    const std::int32_t slot = slots[i];
+    const ContactElement element = source.element(slot);
+    if (element.sphere) return;
+    Segment* next = segments_.data() + first[i];
     for (int f = 0; f < 6; ++f) {
-      if ((faces[slot] >> f & 1U) == 0) continue;
-      Segment segment{};
-      for (int i = 0; i < 4; ++i) segment.node[i] = element.corners[face_nodes[f][i]];
-      segment.slot = s;
-      segment.face = f;
-      segment.body = element.body;
-      segment.rigid = element.rigid;
-      segment.corners = element.corners;
-      segment.radius = static_cast<S>(element.radius);
-      const double area2 = squared_area(element, f);
-      segment.thickness = static_cast<S>(area2 > 0 ? element.volume / std::sqrt(area2) : 0.0);
-      segment.size = area2 > 0 ? std::min(segment.radius, segment.thickness) : segment.radius;
-      segment.stiffness = static_cast<S>(element.bulk_modulus * area2 / element.volume);
-      segments_.push_back(segment);
+      if ((faces[slot] >> f & 1U) != 0) *next++ = segment_of(element, slot, f);
     }
-  }
+  });
+}
+
+template <class S>
+typename SegmentSurface<S>::Segment SegmentSurface<S>::segment_of(const ContactElement& element, std::int32_t slot,
+                                                                  int face) {
+  Segment segment{};
+  for (int i = 0; i < 4; ++i) segment.node[i] = element.corners[face_nodes[face][i]];
+  segment.slot = slot;
+  segment.face = face;
+  segment.body = element.body;
+  segment.rigid = element.rigid;
+  segment.corners = element.corners;
+  segment.radius = static_cast<S>(element.radius);
+  const double area2 = squared_area(element, face);
+  segment.thickness = static_cast<S>(area2 > 0 ? element.volume / std::sqrt(area2) : 0.0);
+  segment.size = area2 > 0 ? std::min(segment.radius, segment.thickness) : segment.radius;
+  segment.stiffness = static_cast<S>(element.bulk_modulus * area2 / element.volume);
+  return segment;
 }
 
 /// One slave per node, sorted by node, and the segments around it in their order.
 template <class S>
 void SegmentSurface<S>::collect_slaves(std::size_t nodes) {
-  std::vector<std::int32_t> place(nodes + 1, 0);  // segments around each node, then where the next of them goes
-  for (const Segment& segment : segments_) {
-    for (const std::int32_t node : segment.node) ++place[node + 1];
-  }
-  slaves_.clear();
-  around_first_.assign(1, 0);
-  for (std::size_t n = 0; n < nodes; ++n) {
-    const std::int32_t count = place[n + 1];
-    place[n + 1] += place[n];
-    if (count == 0) continue;
-    slaves_.push_back({static_cast<std::int32_t>(n), 0, 0, S(0), S(0), S(0)});
-    around_first_.push_back(place[n + 1]);
-  }
-  around_.resize(place[nodes]);
-  for (std::size_t s = 0; s < segments_.size(); ++s) {
-    for (const std::int32_t node : segments_[s].node) {
-      around_[place[node]++] = s;
+  const RangePolicy<> all{0, std::ssize(segments_)};
+  std::vector<std::int32_t> count(nodes), slave_of(nodes), nodes_of_slaves;
+  parallel_for("segments around nodes", all, [&](std::int64_t s) {
+    for (const std::int32_t node : segments_[s].node) count_one(count[node]);
+  });
+  list_where("nodes of a surface", std::ssize(count), nodes_of_slaves,
+             [&](std::int64_t node) { return count[node] != 0; });
+  slaves_.resize(nodes_of_slaves.size());
+  around_first_.resize(slaves_.size() + 1);
+  const RangePolicy<> all_slaves{0, std::ssize(slaves_)};
+  parallel_for("nodes of slaves", all_slaves, [&](std::int64_t i) {
+    const std::int32_t node = nodes_of_slaves[i];
+    slaves_[i] = {node, 0, 0, S(0), S(0), S(0)};
+    slave_of[node] = static_cast<std::int32_t>(i);
+    around_first_[i] = count[node];
+  });
+  around_first_.back() = 0;
+  around_.resize(make_offsets(around_first_));
+  parallel_for("places around slaves", all_slaves, [&](std::int64_t i) { count[slaves_[i].node] = around_first_[i]; });
+  slaves_of_.resize(segments_.size());
+  parallel_for("segments around slaves", all, [&](std::int64_t segment) {
+    const auto s = static_cast<std::int32_t>(segment);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::int32_t node = segments_[s].node[k];
+      around_[count_one(count[node])] = s;
+      slaves_of_[s][k] = slave_of[node];
     }
-  }
-  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+  });
+  parallel_for("owners of slaves", all_slaves, [&](std::int64_t i) {
+    std::sort(around_.begin() + around_first_[i], around_.begin() + around_first_[i + 1]);
     slaves_[i].owner = around(i).front();
     slaves_[i].body = segments_[slaves_[i].owner].body;
-  }
-  slaves_of_.resize(segments_.size());
-  for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    for (const std::int32_t s : around(i)) {
-      for (std::size_t k = 0; k < 4; ++k) {
-        if (segments_[s].node[k] == slaves_[i].node) slaves_of_[s][k] = i;
-      }
-    }
-  }
+  });
 }
 
 template <class S>
@@ -258,8 +283,9 @@ void SegmentSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>& s
 
 template <class S>
 std::vector<std::int32_t> SegmentSurface<S>::nodes() const {
-  std::vector<std::int32_t> nodes;
-  for (const Slave& slave : slaves_) nodes.push_back(slave.node);
+  std::vector<std::int32_t> nodes(slaves_.size());
+  parallel_for("nodes of slaves", RangePolicy<>{0, std::ssize(nodes)},
+               [&](std::int64_t i) { nodes[i] = slaves_[i].node; });
   return nodes;
 }
 

@@ -8,6 +8,7 @@
 
 #include <kernels/exec/array.hpp>
 #include <kernels/tensor.hpp>
+#include <solver/base/lists_in_order.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/surface/surface.hpp>
 #include <solver/contact/surface/surface_source.hpp>
@@ -63,9 +64,9 @@ class SegmentSurface {
   /// selected.
   void collect(const SurfaceSource<S>& source);
   /// Chooses segments that are asked for, by lists or because they lie around a slave that has a list: update() sees to
-  /// no others. Between choose_none() and finish_choice().
+  /// no others. Between choose_none() and finish_choice(), by several threads.
   void choose_none() { asked_for_.assign(packs(), 0); }
-  void choose(std::int32_t segment) { asked_for_[segment / native_width<S>] = 1; }
+  void choose(std::int32_t segment) { set_mark(asked_for_[segment / native_width<S>]); }
   void choose_around(std::size_t slave) {
     for (const std::int32_t segment : around(slave)) choose(segment);
   }
@@ -113,6 +114,8 @@ class SegmentSurface {
   /// collect(), given per slot a bit for each face that is to be a segment.
   void collect_faces(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces);
   void collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces);
+  /// face: in the order of face_nodes.
+  static Segment segment_of(const ContactElement& element, std::int32_t slot, int face);
   void collect_slaves(std::size_t nodes);
   /// Makes a segment active whose face is exposed, and no other. Returns whether it was not so.
   bool renew_activity(std::int32_t segment);

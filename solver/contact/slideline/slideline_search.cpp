@@ -42,8 +42,10 @@ bool SlidelineSearch<S>::may_touch(const Slave& own, const Segment& other, S own
 
 template <class S>
 void SlidelineSearch<S>::watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface) {
-  motion_.clear(source.node_count);
-  for (const Slave& slave : surface.slaves()) motion_.watch(slave.node, least_radius(slave));
+  const std::vector<Slave>& slaves = surface.slaves();
+  motion_.watch(
+      source.node_count, std::ssize(slaves), [&](std::int64_t i) { return slaves[i].node; },
+      [&](std::int64_t i) { return least_radius(slaves[i]); });
 }
 
 /// Balls that hold whatever may touch the segments. The farthest corner goes straight relative to the centre, so that
