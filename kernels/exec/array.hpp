@@ -41,8 +41,8 @@ class Array {
   /// As a new array of this size, in the memory of the old one where that suffices: arrays that are made anew again and
   /// again would otherwise wait for the pages that the system has just been given back.
   void reset(std::size_t size) {
-    provide(size);
-    if (data_ != nullptr) Memory::zero(data_, padded_bytes());
+    const bool is_new = provide(size);
+    if (data_ != nullptr && !(is_new && begins_as_zero(capacity_))) Memory::zero(data_, padded_bytes());
   }
   /// The same for an array that is to be written as a whole: elements are anything, the padding behind them is zero.
   void renew(std::size_t size) {
@@ -62,14 +62,21 @@ class Array {
   static constexpr std::size_t line = 64;
   std::size_t padded_bytes() const { return (size_ * sizeof(T) + line - 1) / line * line; }
 
-  void provide(std::size_t size) {
-    if (size * sizeof(T) > capacity_) {
+  static bool begins_as_zero(std::size_t room) {
+    if constexpr (requires { Memory::begins_as_zero(room); }) return Memory::begins_as_zero(room);
+    return false;
+  }
+  /// Returns whether the memory is new.
+  bool provide(std::size_t size) {
+    const bool is_new = size * sizeof(T) > capacity_;
+    if (is_new) {
       release();  // not both at a time
       const std::size_t room = Memory::room(size * sizeof(T));
       data_ = static_cast<T*>(Memory::allocate(room));
       capacity_ = room;
     }
     size_ = size;
+    return is_new;
   }
   void release() noexcept {
     if (data_ != nullptr) Memory::release(data_, capacity_);

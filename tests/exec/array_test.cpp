@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 #include <type_traits>
@@ -104,6 +107,35 @@ template <class A>
 concept HasElements = requires(A a) {
   a[0];
 };
+
+std::size_t mappings() {
+  std::ifstream maps("/proc/self/maps");
+  return std::count(std::istreambuf_iterator<char>(maps), {}, '\n');
+}
+
+TEST(Array, LargeOnesInTheHostsMemoryBeginAsZeroAndAreGivenBack) {
+  constexpr std::size_t numbers = 3 * 131072 + 5;  // 3 MB and a little: two huge pages
+  const auto sum_of = [](const Array<double>& array) {
+    return std::accumulate(array.data(), array.data() + array.size(), 0.0);
+  };
+  const std::size_t before = mappings();
+  for (int turn = 0; turn < 50; ++turn) {
+    Array<double> large(numbers);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(large.data()) % HostSpace::alignment, 0u);
+    ASSERT_EQ(sum_of(large), 0);
+    std::fill_n(large.data(), large.size(), 1.0);
+    large.reset(numbers - 7);  // in the same memory
+    ASSERT_EQ(sum_of(large), 0);
+    std::fill_n(large.data(), large.size(), 1.0);
+    large.reset(3 * numbers);  // in new one
+    ASSERT_EQ(sum_of(large), 0);
+    large.renew(numbers);
+    large.data()[numbers - 1] = 2;
+    const Array<double> moved = std::move(large);
+    ASSERT_EQ(moved[numbers - 1], 2);
+  }
+  EXPECT_LE(mappings(), before + 4);
+}
 
 TEST(Array, HasElementsThatTheHostCanNameInItsOwnMemoryAlone) {
   static_assert(HasElements<Array<double>>);
