@@ -12,6 +12,17 @@
 /// what it holds. What several indices may change at once has a result that does not depend on who was first.
 namespace pinball {
 
+/// Of each piece the sum of those before it; returns that of all.
+inline std::int64_t sums_before(std::array<std::int64_t, fixed_pieces>& pieces) {
+  std::int64_t whole = 0;
+  for (std::int64_t& sum : pieces) {
+    const std::int64_t here = sum;
+    sum = whole;
+    whole += here;
+  }
+  return whole;
+}
+
 /// Turns counts into where each begins: [i] becomes the sum of those before it. Returns the sum of all.
 template <class Number>
 std::int64_t make_offsets(std::vector<Number>& counts) {
@@ -23,12 +34,7 @@ std::int64_t make_offsets(std::vector<Number>& counts) {
     for (std::int64_t i = begin_of(piece); i < begin_of(piece + 1); ++i) sum += counts[i];
     sums[piece] = sum;
   });
-  std::int64_t whole = 0;
-  for (std::int64_t& sum : sums) {
-    const std::int64_t here = sum;
-    sum = whole;
-    whole += here;
-  }
+  const std::int64_t whole = sums_before(sums);
   parallel_for("offsets", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     std::int64_t next = sums[piece];
     for (std::int64_t i = begin_of(piece); i < begin_of(piece + 1); ++i) {
@@ -43,7 +49,7 @@ std::int64_t make_offsets(std::vector<Number>& counts) {
 /// The numbers below `count` for which is(number), from the lowest up. It is asked twice.
 template <class Number, class Is>
 void list_where(const char* name, std::int64_t count, std::vector<Number>& list, const Is& is) {
-  std::vector<std::int64_t> place(fixed_pieces);
+  std::array<std::int64_t, fixed_pieces> place{};
   const auto for_each = [&](std::int64_t piece, const auto& visit) {
     const std::int64_t end = count * (piece + 1) / fixed_pieces;
     for (std::int64_t i = count * piece / fixed_pieces; i < end; ++i) {
@@ -55,11 +61,27 @@ void list_where(const char* name, std::int64_t count, std::vector<Number>& list,
     for_each(piece, [&](std::int64_t) { ++found; });
     place[piece] = found;
   });
-  list.resize(make_offsets(place));
+  list.resize(sums_before(place));
   parallel_for(name, RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     std::int64_t next = place[piece];
     for_each(piece, [&](std::int64_t i) { list[next++] = static_cast<Number>(i); });
   });
+}
+
+/// The lowest number below `count` for which is(number); `count`: there is none.
+template <class Is>
+std::int64_t first_where(const char* name, std::int64_t count, const Is& is) {
+  std::int64_t first = count;
+  parallel_reduce(
+      name, RangePolicy<>{0, count}, first,
+      [&](std::int64_t begin, std::int64_t end, std::int64_t& found) {
+        found = count;
+        for (std::int64_t i = begin; i < end && found == count; ++i) {
+          if (is(i)) found = i;
+        }
+      },
+      [](std::int64_t& whole, std::int64_t found) { whole = found < whole ? found : whole; });
+  return first;
 }
 
 /// Sets a mark that others may set at the same time.

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <span>
 #include <string>
@@ -146,13 +145,16 @@ class StateArchive {
       if (bytes > left()) throw_foreign();
       if (bytes == 0) return;
       if (reads()) {
-        std::memcpy(data, bytes_ + place_, bytes);
+        copy(data, bytes_ + place_, bytes);
       } else {
-        std::memcpy(bytes_ + place_, data, bytes);
+        copy(bytes_ + place_, data, bytes);
       }
     }
     place_ += bytes;
   }
+
+  /// By all threads, where that is worth it.
+  static void copy(void* to, const void* from, std::size_t bytes);
 
   Direction direction_;
   std::byte* bytes_;

@@ -13,6 +13,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
 #include <solver/base/point.hpp>
 #include <solver/base/tile_size.hpp>
@@ -62,11 +63,13 @@ std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh
   const std::size_t count = mesh.hexahedra.size();
   std::map<std::tuple<std::size_t, std::uint8_t, std::int32_t>, std::vector<std::int32_t>> members;
   std::vector<Point> centres(count), extents(count);
+  parallel_for("places of elements", RangePolicy<>{0, mesh.element_count()}, [&](std::int64_t e) {
+    centres[e] = element_centre(mesh, e);
+    extents[e] = element_extent(mesh, e);
+  });
   for (std::size_t e = 0; e < count; ++e) {
     const std::int32_t body = mesh.body[e];
     members[{parts.part_of(mesh, e), levels.empty() ? std::uint8_t{0} : levels[e], by_body ? body : 0}].push_back(e);
-    centres[e] = element_centre(mesh, e);
-    extents[e] = element_extent(mesh, e);
   }
   std::vector<TileGroup> groups;
   for (auto& [kind, elements] : members) {
@@ -159,12 +162,14 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const 
   for (const std::size_t material : material_of_bodies(model.scene)) {
     density_of_body.push_back(model.scene.materials[material].density);
   }
+  parallel_for("masses of elements", RangePolicy<>{0, model.mesh.element_count()}, [&](std::int64_t element) {
+    model.element_mass[element] = density_of_body[model.mesh.body[element]] * element_volume(model.mesh, element);
+  });
   std::int32_t e = 0;
   for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
     const bool padding = model.is_padding(slot);
     if (!padding) {
       e = model.element_of_slot[slot];
-      model.element_mass[e] = density_of_body[model.mesh.body[e]] * element_volume(model.mesh, e);
       model.elements.mass[slot] = model.element_mass[e];
       if (!mass_factor.empty()) {
         model.added_mass[e] = (mass_factor[e] - 1) * model.element_mass[e];

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include <solver/base/error.hpp>
+#include <solver/base/lists_in_order.hpp>
 #include <solver/base/point.hpp>
 #include <solver/formats/mesh_reader.hpp>
 #include <solver/mesh/array_mesh.hpp>
@@ -132,21 +133,29 @@ class Assembly {
     place_of_body(mesh, b);
     const std::int32_t offset = add_nodes(mesh.nodes.size(), b);
     all_.nodes.insert(all_.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
-    for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-      std::array<std::int32_t, 8> hexahedron = mesh.hexahedra[e];
-      for (std::int32_t& node : hexahedron) node += offset;
-      add_element(hexahedron, b, [&] { return fmt::format("element {}", all_.element_count() - 1); });
-    }
+    const std::int64_t first = all_.element_count(), count = std::ssize(mesh.hexahedra);
+    all_.body.insert(all_.body.end(), count, static_cast<std::int32_t>(b));
+    all_.hexahedra.resize(first + count);
+    const auto problem = [&](std::int64_t e) { return rounding_problem(all_.corners(e), scene_.precision); };
+    const std::int64_t bad = first_where("elements of a body", count, [&](std::int64_t e) {
+      std::array<std::int32_t, 8>& hexahedron = all_.hexahedra[first + e];
+      for (std::size_t i = 0; i < 8; ++i) hexahedron[i] = mesh.hexahedra[e][i] + offset;
+      return !problem(first + e).empty();
+    });
+    if (bad < count) require_none(problem(first + bad), b, [&] { return fmt::format("element {}", first + bad); });
   }
 
   /// In the body's own frame, where no place far away hides what the shape is.
   void check_volumes(const Mesh& mesh, std::size_t b) const {
-    for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+    const auto problem = [&](std::int64_t e) {
       std::array<Point, 8> corners;
       for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[mesh.hexahedra[e][i]];
-      require_none(volume_problem(corners, scene_.precision), b,
-                   [&] { return fmt::format("element {}", all_.element_count() + static_cast<std::int64_t>(e)); });
-    }
+      return volume_problem(corners, scene_.precision);
+    };
+    const std::int64_t count = std::ssize(mesh.hexahedra);
+    const std::int64_t bad = first_where("volumes", count, [&](std::int64_t e) { return !problem(e).empty(); });
+    if (bad < count)
+      require_none(problem(bad), b, [&] { return fmt::format("element {}", all_.element_count() + bad); });
   }
 
   template <class Name>

@@ -3,6 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include <kernels/exec.hpp>
+
 #include "ordering.hpp"
 
 namespace pinball {
@@ -23,23 +25,51 @@ class Halving {
         layer_(centres.size()),
         tiles_(tiles) {}
 
-  void cut(std::int64_t begin, std::int64_t end) {
-    const Layers layers = count_layers(begin, end);
-    if (end - begin <= largest_) {
-      sort_rows(begin, end, layers);
-      tiles_.offsets.push_back(end);
-      return;
+  /// All ranges are cut at once, again and again: each is some thread's.
+  void cut(std::int64_t count) {
+    struct Range {
+      std::int64_t begin, end;
+      std::int64_t middle = 0;  ///< none: it is a tile
+    };
+    std::vector<Range> ranges{{0, count}};
+    for (bool some_left = true; some_left;) {
+      parallel_for("tiles", RangePolicy<>{0, std::ssize(ranges)}, [&](std::int64_t i) {
+        Range& range = ranges[i];
+        if (!is_tile(range.begin, range.end)) range.middle = cut_in_two(range.begin, range.end);
+      });
+      some_left = false;
+      std::vector<Range> halves;
+      for (const Range& range : ranges) {
+        if (range.middle > 0) {
+          halves.push_back({range.begin, range.middle});
+          halves.push_back({range.middle, range.end});
+          some_left = true;
+        } else {
+          halves.push_back({range.begin, range.end});
+        }
+      }
+      ranges.swap(halves);
     }
+    parallel_for("rows of tiles", RangePolicy<>{0, std::ssize(ranges)}, [&](std::int64_t i) {
+      sort_rows(ranges[i].begin, ranges[i].end, count_layers(ranges[i].begin, ranges[i].end));
+    });
+    for (const Range& range : ranges) tiles_.offsets.push_back(range.end);
+  }
+
+ private:
+  bool is_tile(std::int64_t begin, std::int64_t end) const { return end - begin <= largest_; }
+
+  /// Returns where the second half begins.
+  std::int64_t cut_in_two(std::int64_t begin, std::int64_t end) {
+    const Layers layers = count_layers(begin, end);
     const std::size_t axis = axis_to_cut(layers);
     const std::int64_t middle = begin + half(begin, end, axis, layers[axis]);
     const std::array<std::size_t, 3> axes{axis, (axis + 1) % 3, (axis + 2) % 3};
     std::nth_element(at(begin), at(middle), at(end),
                      [&](std::int32_t a, std::int32_t b) { return before(a, b, axes); });
-    cut(begin, middle);
-    cut(middle, end);
+    return middle;
   }
 
- private:
   std::vector<std::int32_t>::iterator at(std::int64_t i) { return tiles_.order.begin() + i; }
 
   /// Numbers the layers of elements in each direction, of a thickness that is the mean of the elements'.
@@ -130,7 +160,7 @@ TileOrder compact_tiles(const std::vector<Point>& centres, const std::vector<Poi
                         std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple, int row_axis) {
   TileOrder tiles{std::move(elements), {0}};
   const std::int64_t n = tiles.order.size();
-  if (n > 0) Halving(centres, extents, largest, multiple, row_axis, tiles).cut(0, n);
+  if (n > 0) Halving(centres, extents, largest, multiple, row_axis, tiles).cut(n);
   return tiles;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
 #include <solver/model/elements/element_start.hpp>
 #include <solver/model/elements/mass_scaling.hpp>
@@ -61,15 +62,21 @@ class StartElements {
 
 SmallestStep smallest_step(const StartElements& elements, const ModelMesh& mesh) {
   SmallestStep smallest;
-  for (std::int64_t e = 0; e < mesh.element_count(); ++e) {
-    if (!elements.deforms(e)) continue;
-    const double step = elements.stable_step(e);
-    if (step < smallest.step) {
-      smallest.step = step;
-      smallest.element = e;
+  const auto take = [](SmallestStep& whole, const SmallestStep& other) {
+    if (other.step < whole.step) {
+      whole.step = other.step;
+      whole.element = other.element;
     }
-    smallest.rate_of_closing = std::max(smallest.rate_of_closing, elements.rate_of_closing(e));
-  }
+    whole.rate_of_closing = std::max(whole.rate_of_closing, other.rate_of_closing);
+  };
+  parallel_reduce(
+      "stable steps", RangePolicy<>{0, mesh.element_count()}, smallest,
+      [&](std::int64_t begin, std::int64_t end, SmallestStep& partial) {
+        for (std::int64_t e = begin; e < end; ++e) {
+          if (elements.deforms(e)) take(partial, {elements.stable_step(e), e, elements.rate_of_closing(e)});
+        }
+      },
+      take);
   return smallest;
 }
 

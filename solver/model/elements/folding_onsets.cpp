@@ -4,19 +4,18 @@
 
 #include <kernels/folding.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 namespace pinball {
 
 std::vector<double> folding_onsets(const ModelMesh& mesh) {
   // A copy: a variable template that a reference is bound to is visible outside a library, whatever GCC 12 is told.
   constexpr double usual = folding_onset<double>;
-  std::vector<double> onsets;
-  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    const double share = least_corner_share(mesh.corners(e));
-    if (share >= 2 * usual) continue;
-    if (onsets.empty()) onsets.assign(mesh.hexahedra.size(), usual);
-    onsets[e] = std::max(0.0, 0.5 * share);
-  }
+  const auto share = [&](std::int64_t e) { return least_corner_share(mesh.corners(e)); };
+  std::vector<std::int32_t> near_folding;
+  list_where("corners", mesh.element_count(), near_folding, [&](std::int64_t e) { return !(share(e) >= 2 * usual); });
+  std::vector<double> onsets(near_folding.empty() ? 0 : mesh.hexahedra.size(), usual);
+  for (const std::int32_t e : near_folding) onsets[e] = std::max(0.0, 0.5 * share(e));
   return onsets;
 }
 
