@@ -5,6 +5,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/built_features.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 namespace pinball {
 
@@ -148,13 +149,22 @@ InternalForceResult<S> InternalForces<S>::sum() const {
 
 template <class S>
 std::vector<std::int64_t> eroded_slots(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
-  std::vector<std::int64_t> slots;
-  for (std::size_t t = 0; t < tiles.size(); ++t) {
-    if (tiles[t].eroded_count == 0) continue;
-    for (const std::int64_t slot : model.slots_of(t)) {
-      if (!model.elements.alive(slot)) slots.push_back(slot);
+  if (std::ranges::all_of(tiles, [](const TileResult<S>& tile) { return tile.eroded_count == 0; })) return {};
+  const RangePolicy<> all{0, std::ssize(tiles)};
+  const auto for_each_eroded = [&](std::int64_t tile, const auto& visit) {
+    if (tiles[tile].eroded_count == 0) return;
+    for (const std::int64_t slot : model.slots_of(tile)) {
+      if (!model.elements.alive(slot)) visit(slot);
     }
-  }
+  };
+  std::vector<std::int64_t> first(tiles.size()), slots;
+  parallel_for("counts of eroded elements", all,
+               [&](std::int64_t tile) { for_each_eroded(tile, [&](std::int64_t) { ++first[tile]; }); });
+  slots.resize(make_offsets(first));
+  parallel_for("eroded elements", all, [&](std::int64_t tile) {
+    std::int64_t next = first[tile];
+    for_each_eroded(tile, [&](std::int64_t slot) { slots[next++] = slot; });
+  });
   return slots;
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string_view>
 
+#include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
 #include <solver/mesh/element_types.hpp>
@@ -24,15 +25,15 @@ DataArray make_array(std::string_view type, std::string_view name, std::size_t c
   if (components > 1) array.attributes += fmt::format(R"( NumberOfComponents="{}")", components);
   array.bytes = count * components * sizeof(T);
   array.write = [=](const ByteSink& sink) {
-    constexpr std::size_t block = 4096;
+    constexpr std::size_t block = 65536;
     std::vector<T> buffer(std::min(block, count) * components);
     for (std::size_t begin = 0; begin < count; begin += block) {
-      const std::size_t end = std::min(begin + block, count);
-      T* to = buffer.data();
-      for (std::size_t i = begin; i < end; ++i) {
-        for (std::size_t c = 0; c < components; ++c) *to++ = static_cast<T>(value(i, c));
-      }
-      sink(buffer.data(), (end - begin) * components * sizeof(T));
+      const std::size_t own = std::min(block, count - begin);
+      parallel_for("numbers of a field", RangePolicy<>{0, static_cast<std::int64_t>(own)}, [&](std::int64_t i) {
+        T* const to = buffer.data() + i * components;
+        for (std::size_t c = 0; c < components; ++c) to[c] = static_cast<T>(value(begin + i, c));
+      });
+      sink(buffer.data(), own * components * sizeof(T));
     }
   };
   return array;

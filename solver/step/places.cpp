@@ -70,8 +70,8 @@ std::string node_name(const Model<S>& model, std::int64_t node) {
 
 template <class S>
 std::int64_t most_pushed_node(const Model<S>& model, const ContactAlgorithm<S>& contact) {
-  std::vector<Point> force(model.nodes.count, Point{});
-  contact.add_node_forces(force);
+  Array<Point> force(model.nodes.count);
+  contact.add_node_forces({force.data(), force.size()});
   std::int64_t most = -1;
   double largest = 0;
   for (const std::int32_t node : model.node_of_scene_node) {  // the first in the order of the scene

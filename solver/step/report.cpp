@@ -40,9 +40,11 @@ std::vector<BodyResult> body_results(const Solver<S>& solver) {
 template <class S>
 std::vector<Point> contact_forces_on_nodes(const Solver<S>& solver) {
   const Model<S>& model = solver.model();
-  std::vector<Point> in_store(model.mesh.nodes.size(), Point{}), force(model.mesh.nodes.size(), Point{});
-  solver.contact()->add_node_forces(in_store);
-  for (std::size_t n = 0; n < force.size(); ++n) force[n] = in_store[model.node_of_scene_node[n]];
+  Array<Point> in_store(model.mesh.nodes.size());
+  solver.contact()->add_node_forces({in_store.data(), in_store.size()});
+  std::vector<Point> force(in_store.size());
+  parallel_for("contact forces of nodes", RangePolicy<>{0, std::ssize(force)},
+               [&](std::int64_t n) { force[n] = in_store[model.node_of_scene_node[n]]; });
   return force;
 }
 
@@ -105,7 +107,7 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
   s.position.resize(nodes);
   s.velocity.resize(nodes);
   s.contact_force.assign(nodes, Point{});
-  for (std::size_t n = 0; n < nodes; ++n) {
+  parallel_for("nodes of a snapshot", RangePolicy<>{0, std::ssize(s.position)}, [&](std::int64_t n) {
     const std::int32_t node = model.node_of_scene_node[n];
     const S *const x = model.nodes.position_of(node), *const v = model.nodes.velocity_of(node);
     for (int k = 0; k < 3; ++k) {
@@ -113,21 +115,21 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
       // Positions are one step ahead of the stresses: back to their time.
       s.position[n][k] = x[k] - solver.dt() * s.velocity[n][k];
     }
-  }
+  });
   put_rigid_positions(solver, s.position);
   s.stress.resize(elements);
   s.plastic_strain.assign(elements, 0.0);
   take_material_numbers(model, s);
   s.pinball_radius.assign(elements, 0.0);
   s.alive.resize(elements);
-  for (std::size_t e = 0; e < elements; ++e) {
+  parallel_for("elements of a snapshot", RangePolicy<>{0, std::ssize(s.hexahedra)}, [&](std::int64_t e) {
     const std::int64_t slot = model.slot_of_element[e];
     for (int c = 0; c < 6; ++c) s.stress[e][c] = model.elements.stress_of(slot, c);
     if (!model.elements.plastic_strain.empty()) {
       s.plastic_strain[e] = model.elements.plastic_strain[slot];
     }
     s.alive[e] = model.elements.alive(slot) ? 1 : 0;
-  }
+  });
   if (solver.contact() != nullptr) {
     std::vector<double> radius(model.elements.slots, 0.0);
     s.contact_force = contact_forces_on_nodes(solver);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include <kernels/exec.hpp>
+#include <solver/base/lists_in_order.hpp>
+
 #include "report.hpp"
 
 namespace pinball {
@@ -66,11 +69,16 @@ std::vector<std::string> more_columns(const Solver<S>& solver) {
 template <class S>
 std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
   const Model<S>& model = solver.layout();
-  std::vector<Point> in_store(model.mesh.nodes.size(), Point{});
-  solver.contact()->add_node_forces(in_store);
+  Array<Point> in_store(model.mesh.nodes.size());
+  solver.contact()->add_node_forces({in_store.data(), in_store.size()});
+  const auto force_of = [&](std::int64_t n) -> const Point& { return in_store[model.node_of_scene_node[n]]; };
+  std::vector<std::int32_t> nodes;
+  list_where("nodes in contact", std::ssize(model.mesh.nodes), nodes, [&](std::int64_t n) {
+    return std::ranges::any_of(force_of(n), [](double component) { return component != 0; });
+  });
   std::vector<Point> sums(model.scene.bodies.size(), Point{});
-  for (std::size_t n = 0; n < in_store.size(); ++n) {
-    const Point& force = in_store[model.node_of_scene_node[n]];
+  for (const std::int32_t n : nodes) {
+    const Point& force = force_of(n);
     Point& sum = sums[model.mesh.body_of_node[n]];
     for (std::size_t k = 0; k < 3; ++k) sum[k] += force[k];
   }

@@ -115,7 +115,7 @@ class ContactAlgorithm {
 
   virtual const char* name() const = 0;
   /// Adds the contact force of the last step on each node of the store [force]. For output.
-  virtual void add_node_forces(std::vector<Point>& node_force) const = 0;
+  virtual void add_node_forces(std::span<Point> node_force) const = 0;
   /// Radius of the pinball of each slot [length], where there is one. For output.
   virtual void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const = 0;
   /// Adds to the force on the first side of each pair that of the last step [force].

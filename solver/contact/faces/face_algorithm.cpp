@@ -208,7 +208,7 @@ std::vector<std::int32_t> FaceAlgorithm<S>::nodes() const {
 }
 
 template <class S>
-void FaceAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) const {
+void FaceAlgorithm<S>::add_node_forces(std::span<Point> node_force) const {
   this->impulses_->add_node_forces(node_force);
 }
 

@@ -206,7 +206,7 @@ void ImpulseSolver<S>::sum_up(ImpulseResult& result) {
 }
 
 template <class S>
-void ImpulseSolver<S>::add_node_forces(std::vector<Point>& node_force) const {
+void ImpulseSolver<S>::add_node_forces(std::span<Point> node_force) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Pair& pair = pairs_[i];
     if (!(pair.force > 0)) continue;
@@ -254,7 +254,7 @@ void ImpulseSolver<S>::name_memory() {
   template bool ImpulseSolver<S>::has_free_node(const RowView&) const;                      \
   template void ImpulseSolver<S>::give_forces(const SurfaceSource<S>&, const StepLengths&); \
   template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                   \
-  template void ImpulseSolver<S>::add_node_forces(std::vector<Point>&) const;               \
+  template void ImpulseSolver<S>::add_node_forces(std::span<Point>) const;                  \
   template void ImpulseSolver<S>::add_pair_forces(std::vector<Point>&) const;               \
   template void ImpulseSolver<S>::remember();                                               \
   template void ImpulseSolver<S>::name_memory();

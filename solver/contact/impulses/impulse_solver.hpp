@@ -104,7 +104,7 @@ class ImpulseSolver {
   const std::vector<std::int32_t>& nodes() const { return node_; }
 
   /// Adds the contact forces of the last solution, per node of the store [force].
-  void add_node_forces(std::vector<Point>& node_force) const;
+  void add_node_forces(std::span<Point> node_force) const;
   /// Adds to the force on the first side of each pair that of the last solution [force].
   void add_pair_forces(std::vector<Point>& sums) const;
 

@@ -307,7 +307,7 @@ void PinballAlgorithm<S>::put_radii(const SurfaceSource<S>& source, std::vector<
 }
 
 template <class S>
-void PinballAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) const {
+void PinballAlgorithm<S>::add_node_forces(std::span<Point> node_force) const {
   const std::size_t count = pinballs_.count;
   for (std::size_t p = 0; p < count; ++p) {
     if (!(pinballs_.outward[4 * p + 3] > S(0))) continue;

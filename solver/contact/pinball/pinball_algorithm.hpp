@@ -29,7 +29,7 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   void search(const SurfaceSource<S>& source, double dt) override;
 
   const char* name() const override { return "pinball"; }
-  void add_node_forces(std::vector<Point>& node_force) const override;
+  void add_node_forces(std::span<Point> node_force) const override;
   void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_; }
   ListSize listed() const override {

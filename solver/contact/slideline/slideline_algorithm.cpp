@@ -332,7 +332,7 @@ template <class S>
 void SlidelineAlgorithm<S>::put_radii(const SurfaceSource<S>& /*source*/, std::vector<double>& /*slot_radius*/) const {}
 
 template <class S>
-void SlidelineAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) const {
+void SlidelineAlgorithm<S>::add_node_forces(std::span<Point> node_force) const {
   if (this->impulses_) {
     this->impulses_->add_node_forces(node_force);
     return;

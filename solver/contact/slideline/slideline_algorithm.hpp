@@ -33,7 +33,7 @@ class SlidelineAlgorithm final : public ContactAlgorithm<S> {
   void search(const SurfaceSource<S>& source, double dt) override;
 
   const char* name() const override { return "slideline"; }
-  void add_node_forces(std::vector<Point>& node_force) const override;
+  void add_node_forces(std::span<Point> node_force) const override;
   void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_.topology(); }
   std::vector<std::int32_t> nodes() const override { return surface_.nodes(); }

@@ -247,7 +247,7 @@ void SphereSprings<S>::add_forces(const SurfaceSource<S>& source) const {
 }
 
 template <class S>
-void SphereSprings<S>::add_node_forces(std::vector<Point>& node_force) const {
+void SphereSprings<S>::add_node_forces(std::span<Point> node_force) const {
   for (const Touch& touch : touches_) {
     for (int k = 0; k < 5; ++k) {
       Point& sum = node_force[touch.node[k]];

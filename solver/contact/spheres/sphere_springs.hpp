@@ -49,7 +49,7 @@ class SphereSprings {
   SphereSums compute(const SurfaceSource<S>& source, double dt);
   /// Adds the forces to the nodes, and to their fourth numbers what bounds the rows of the stiffness matrix.
   void add_forces(const SurfaceSource<S>& source) const;
-  void add_node_forces(std::vector<Point>& node_force) const;
+  void add_node_forces(std::span<Point> node_force) const;
   std::size_t bytes() const;
 
  private:
