@@ -304,12 +304,12 @@ void NodeRows<S>::drop_mirrored(const SurfaceSource<S>& source, const SegmentSur
   const auto is_corner = [&](const FeatureRow& row) {
     return may_face(surface, row.slave, row.direction) && is_lowest(source, surface, row.slave, row.direction);
   };
-  rows_.for_each([&](FeatureRow& row) {
+  // The rows of a node are in one piece: the last of them remains.
+  rows_.for_each_by_pieces("rows on nodes", [&](FeatureRow& row) {
     if (met_by(row) >= 0) on_node_[row.node[0]] = &row;
   });
-  rows_.for_each([&](FeatureRow& row) {
-    const std::int32_t met = met_by(row);
-    const FeatureRow* const other = met >= 0 ? on_node_[met] : nullptr;
+  const auto drop = [&](FeatureRow& row, std::int32_t met) {
+    const FeatureRow* const other = on_node_[met];
     if (other == nullptr || met_by(*other) != row.node[0]) return;
     if (dot(row.direction, other->direction) < -0.99) {
       if (!is_right_on(row) || !is_right_on(*other) || row.node[0] < met) return;
@@ -324,8 +324,16 @@ void NodeRows<S>::drop_mirrored(const SurfaceSource<S>& source, const SegmentSur
       const bool corner = is_corner(row), corner_met = is_corner(*other);
       row.dropped = corner != corner_met ? corner_met : row.nodes == 2 && row.node[0] > met;
     }
+  };
+  // Only those that meet a lower node change another row than their own: the last of that node, which nobody else looks
+  // at then, for all that do are of the one node that it meets.
+  rows_.for_each_by_pieces("rows on higher nodes", [&](FeatureRow& row) {
+    if (const std::int32_t met = met_by(row); met > row.node[0]) drop(row, met);
   });
-  rows_.for_each([this](FeatureRow& row) { on_node_[row.node[0]] = nullptr; });
+  rows_.for_each_by_pieces("rows on lower nodes", [&](FeatureRow& row) {
+    if (const std::int32_t met = met_by(row); met >= 0 && met < row.node[0]) drop(row, met);
+  });
+  rows_.for_each_by_pieces("rows forgotten", [this](FeatureRow& row) { on_node_[row.node[0]] = nullptr; });
   rows_.erase_dropped();
 }
 

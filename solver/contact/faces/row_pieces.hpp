@@ -41,11 +41,18 @@ class RowPieces {
       for (const FeatureRow& row : pieces_[number].rows) visit(row);
     }
   }
+  /// The same for the rows of a piece, and other pieces at the same time.
+  template <class Visit>
+  void for_each_by_pieces(const char* name, const Visit& visit) {
+    parallel_for(name, RangePolicy<>{0, count_}, [&](std::int64_t number) {
+      for (FeatureRow& row : pieces_[number].rows) visit(row);
+    });
+  }
   /// Takes rows out that another row makes needless.
   void erase_dropped() {
-    for (std::int64_t number = 0; number < count_; ++number) {
+    parallel_for("rows that are kept", RangePolicy<>{0, count_}, [&](std::int64_t number) {
       std::erase_if(pieces_[number].rows, [](const FeatureRow& row) { return row.dropped; });
-    }
+    });
   }
   template <class S>
   void give_to(ImpulseSolver<S>& impulses) const {
