@@ -181,7 +181,12 @@ inline std::vector<CardDeck> decks_of_definitions() {
           {"CONSTRAINED_JOINT_LOCKING", "", {"5,9"}, standing},
           {"MAT_ADD_EROSION", "", {"1,0.,900.", "-300.,400.,500.,0.6,0.7,0.,0.,5.E-7", "", "", "0.,0.,0.,1.E-12"}},
           {"EOS_GRUNEISEN", "", {"3,4.5E6,1.5,0.1,0.2,2.,0.4", ""}, no_elastic + compressed + metal},
-          {"EOS_LINEAR_POLYNOMIAL", "", {"3,0.,1.7E5,1.E5,1.E5,2.,0.4,0.1", ""}, no_elastic + compressed + metal}};
+          {"EOS_LINEAR_POLYNOMIAL", "", {"3,0.,1.7E5,1.E5,1.E5,2.,0.4,0.1", ""}, no_elastic + compressed + metal},
+          {"EOS_TABULATED",
+           "",
+           {"3,1.5", "0.1,0.,-0.1,-0.2,-0.3", "-0.4,-0.5,-0.6,-0.7,-0.8", "-1.7E4,0.,1.7E4,4.E4,8.E4",
+            "1.E5,2.E5,3.E5,4.E5,5.E5", "1.,1.,1.,1.,1.", "1.,1.,1.,1.,1."},
+           no_elastic + compressed + metal}};
 }
 
 inline std::vector<CardDeck> decks_of_boundaries() {

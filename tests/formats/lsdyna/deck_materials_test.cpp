@@ -204,6 +204,27 @@ TEST_F(DeckMaterials, ReadsJohnsonAndCookWithItsEquationOfState) {
   EXPECT_EQ(polynomial.equation_of_state->coefficients, (std::vector<double>{0, 1.6e5, 1e5, 2e4, 1.9, 0.6, 0.1}));
 }
 
+TEST_F(DeckMaterials, TablesHaveUpToTenPoints) {
+  const auto with = [](const std::string& head, const std::string& strains, const std::string& factors) {
+    return steel("*EOS_TABULATED\n" + head + "\n" + strains + "\n\n-5.E3,0.,2.E4,6.E4\n\n" + factors + "\n\n");
+  };
+  const EquationOfStateSettings eos = *material(with("7,2.", "0.1,0.,-0.1,-0.2", "1.,1.,0.5,0.5")).equation_of_state;
+  EXPECT_EQ(eos.form, EquationOfStateForm::tabulated);
+  EXPECT_EQ(eos.volume_strain, (std::vector<double>{0.1, 0, -0.1, -0.2}));
+  EXPECT_EQ(eos.pressure, (std::vector<double>{-5e3, 0, 2e4, 6e4}));
+  EXPECT_EQ(eos.energy_factor, (std::vector<double>{2, 2, 1, 1}));
+  const std::string cold = with("7,2.", "0.1,0.,-0.1,-0.2", "");
+  EXPECT_TRUE(material(cold).equation_of_state->energy_factor.empty());
+  EXPECT_THAT(told(cold), Contains(HasSubstr("*EOS_TABULATED: GAMA")));
+  EXPECT_THAT(told(with("7", "0.1,0.,-0.1,-0.2", "1.,1.,1.,1.")), Contains(HasSubstr("T1 to T10")));
+  EXPECT_THAT(error(with("7,2.", "0.1,0.,-0.1,-0.05", "")),
+              HasSubstr("EV4: expected rising or falling strains, and 0 behind the last point, got -0.05 behind -0.1"));
+  EXPECT_THAT(error(with("7,2.,1.", "0.1,0.,-0.1,-0.2", "")), HasSubstr("E0"));
+  EXPECT_THAT(error(with("7,2.,0.,0.9", "0.1,0.,-0.1,-0.2", "")), HasSubstr("V0"));
+  EXPECT_THAT(error(with("7,2.,0.,1.,3", "0.1,0.,-0.1,-0.2", "")), HasSubstr("LCC"));
+  EXPECT_THAT(error(with("7,2.", "0.1,0.,-0.1,-0.2", "") + "*EOS_009\n7\n"), HasSubstr("equation of state 7"));
+}
+
 TEST_F(DeckMaterials, JohnsonAndCookNameTheFieldThatIsMissing) {
   const auto with = [&](const std::string& given, const std::string& other) {
     std::string deck = steel(grueneisen);

@@ -137,6 +137,11 @@ GivenValue given_state_equation(const DeckStateEquation& equation, double tensio
   if (settings.form == EquationOfStateForm::polynomial) {
     keys.set("form", "polynomial");
     keys.set("coefficients", settings.coefficients);
+  } else if (settings.form == EquationOfStateForm::tabulated) {
+    keys.set("form", "tabulated");
+    keys.set("volume_strain", settings.volume_strain);
+    keys.set("pressure", settings.pressure);
+    if (!settings.energy_factor.empty()) keys.set("energy_factor", settings.energy_factor);
   } else {
     keys.set("sound_speed", settings.sound_speed);
     keys.set("slopes", settings.slopes);

@@ -13,9 +13,59 @@ namespace pinball {
 namespace {
 
 bool is_grueneisen(const KeywordBlock& block) { return keyword_alias(block.name) == "EOS_GRUNEISEN"; }
+bool is_tabulated(const KeywordBlock& block) { return keyword_alias(block.name) == "EOS_TABULATED"; }
+bool is_read(const KeywordBlock& block) {
+  return is_grueneisen(block) || is_tabulated(block) || keyword_alias(block.name) == "EOS_LINEAR_POLYNOMIAL";
+}
 
 const CardLayout& layout_of_state_equation(const KeywordBlock& block) {
+  if (is_tabulated(block)) return layout::tabulated_state;
   return is_grueneisen(block) ? layout::grueneisen : layout::linear_polynomial;
+}
+
+/// The ten numbers of two cards of a table.
+std::vector<double> ten_of(const Fields& first, const Fields& second) {
+  std::vector<double> all;
+  for (const Fields* card : {&first, &second}) {
+    for (std::size_t i = 0; i < 5; ++i) all.push_back(card->number(i));
+  }
+  return all;
+}
+
+/// EV, C and T: ten places, of which those behind the last point are 0. Pressure is C + GAMA T E.
+void read_points(const DeckData& data, Cards& cards, double gamma, EquationOfStateSettings& settings) {
+  const Card strains = cards.require("EV1 to EV5"), more_strains = cards.next_or_blank(),
+             pressures = cards.require("C1 to C5"), more_pressures = cards.next_or_blank(),
+             factors = cards.next_or_blank(), more_factors = cards.next_or_blank();
+  const Fields ev1 = data.fields(strains, layout::table_strains),
+               ev2 = data.fields(more_strains, layout::table_strains_more),
+               c1 = data.fields(pressures, layout::table_pressures),
+               c2 = data.fields(more_pressures, layout::table_pressures_more),
+               t1 = data.fields(factors, layout::table_factors),
+               t2 = data.fields(more_factors, layout::table_factors_more);
+  settings.form = EquationOfStateForm::tabulated;
+  settings.volume_strain = ten_of(ev1, ev2);
+  settings.pressure = ten_of(c1, c2);
+  settings.energy_factor = ten_of(t1, t2);
+  const std::vector<double>& strain = settings.volume_strain;
+  const bool rises = strain[1] > strain[0];
+  std::size_t count = 1;
+  while (count < strain.size() && (rises ? strain[count] > strain[count - 1] : strain[count] < strain[count - 1]))
+    ++count;
+  for (std::size_t i = count; i < strain.size(); ++i) {
+    if (strain[i] != 0 || settings.pressure[i] != 0 || settings.energy_factor[i] != 0)
+      (count < 5 ? ev1 : ev2)
+          .fail(fmt::format("EV{}", count + 1), fmt::format("expected rising or falling strains, and 0 behind the last "
+                                                            "point, got {} behind {}",
+                                                            strain[count], strain[count - 1]));
+  }
+  for (std::vector<double>* values : {&settings.volume_strain, &settings.pressure, &settings.energy_factor})
+    values->resize(count);
+  const bool has_energy = std::ranges::any_of(settings.energy_factor, [](double one) { return one != 0; });
+  if (!has_energy && gamma != 0) data.report.unused(ev1.place(), "*EOS_TABULATED: GAMA", "T is 0");
+  if (has_energy && gamma == 0) data.report.unused(ev1.place(), "*EOS_TABULATED: T1 to T10", "GAMA is 0");
+  if (!has_energy || gamma == 0) settings.energy_factor.clear();
+  for (double& factor : settings.energy_factor) factor *= gamma;
 }
 
 Card head_of_state_equation(const KeywordBlock& block, Cards& cards) {
@@ -27,7 +77,7 @@ Card head_of_state_equation(const KeywordBlock& block, Cards& cards) {
 
 /// Its number; those that are not read are refused by the rules.
 void DeckData::number_state_equation(const KeywordBlock& block) {
-  if (!is_grueneisen(block) && keyword_alias(block.name) != "EOS_LINEAR_POLYNOMIAL") return;
+  if (!is_read(block)) return;
   Cards cards(block);
   const Card head = head_of_state_equation(block, cards);
   const std::int64_t id =
@@ -65,10 +115,14 @@ DeckStateEquation DeckData::read_state_equation(const KeywordBlock& block) const
   Cards cards(block);
   const Card head = head_of_state_equation(block, cards);
   const Fields f = fields(head, layout_of_state_equation(block));
-  const Card more = cards.next_or_blank();
-  fields(more, is_grueneisen(block) ? layout::grueneisen_volume : layout::linear_polynomial_state);
   DeckStateEquation equation{{}, {block.star_name(), head.place}};
   EquationOfStateSettings& settings = equation.settings;
+  if (is_tabulated(block)) {
+    read_points(*this, cards, f.number("GAMA"), settings);
+    return equation;
+  }
+  const Card more = cards.next_or_blank();
+  fields(more, is_grueneisen(block) ? layout::grueneisen_volume : layout::linear_polynomial_state);
   if (is_grueneisen(block)) {
     settings.sound_speed = f.number("C");
     settings.slopes = {f.number("S1"), f.number("S2"), f.number("S3")};
@@ -102,7 +156,7 @@ std::optional<DeckStateEquation> DeckData::state_equation_of(std::int64_t materi
   if (found != state_equation_blocks_.end()) return read_state_equation(*found->second);
   report.reject(first->place,
                 fmt::format("*PART with EOSID {}, which no *EOS_... has that is read", first->state_equation),
-                "give an *EOS_GRUNEISEN or *EOS_LINEAR_POLYNOMIAL", first->solids);
+                "give an *EOS_GRUNEISEN, *EOS_LINEAR_POLYNOMIAL or *EOS_TABULATED", first->solids);
   return std::nullopt;
 }
 

@@ -57,6 +57,8 @@ const std::vector<KeywordRule>& keyword_rules() {
        in_other_units},
       {"EOS_GRUNEISEN", done, "EOS_004, of MAT_015 and MAT_009", in_other_units},
       {"EOS_LINEAR_POLYNOMIAL", done, "EOS_001, the same", in_other_units},
+      {"EOS_TABULATED", done, "EOS_009, the same: its points, of which the first and the last piece go on",
+       in_other_units},
       {"BOUNDARY_SPC_NODE", done, "also in a local system; rotations mean nothing", in_other_units},
       {"BOUNDARY_SPC_NODE_BIRTH_DEATH", done, "the same from birth to death"},
       {"BOUNDARY_SPC_SET", done, "the same of a set of nodes", in_other_units},
@@ -221,6 +223,8 @@ std::string keyword_alias(const std::string& name) {
       {"EOS_4", "EOS_GRUNEISEN"},
       {"EOS_001", "EOS_LINEAR_POLYNOMIAL"},
       {"EOS_1", "EOS_LINEAR_POLYNOMIAL"},
+      {"EOS_009", "EOS_TABULATED"},
+      {"EOS_9", "EOS_TABULATED"},
   };
   const auto found = aliases.find(name);
   return found == aliases.end() ? name : found->second;

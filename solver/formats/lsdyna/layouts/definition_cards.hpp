@@ -179,5 +179,26 @@ inline constexpr CardLayout linear_polynomial{state_equation_id,     material_st
                                               number("C5"),          number("C6")};
 inline constexpr CardLayout linear_polynomial_state{number("E0").rejected(at_rest),
                                                     number("V0", 1).rejected("leave it blank, or 1")};
+inline constexpr std::string_view points_of_table = "give the points EV, C and T";
+inline constexpr CardLayout tabulated_state{state_equation_id,
+                                            number("GAMA"),
+                                            number("E0").rejected(at_rest),
+                                            number("V0", 1).rejected("leave it blank, or 1"),
+                                            whole("LCC").rejected(points_of_table),
+                                            whole("LCT").rejected(points_of_table)};
+constexpr CardField of_table(std::string_view name) { return number(name).columns(16); }
+constexpr CardField stress_of_table(std::string_view name) { return of_table(name).of(Dimension::stress); }
+inline constexpr CardLayout table_strains{of_table("EV1"), of_table("EV2"), of_table("EV3"), of_table("EV4"),
+                                          of_table("EV5")};
+inline constexpr CardLayout table_strains_more{of_table("EV6"), of_table("EV7"), of_table("EV8"), of_table("EV9"),
+                                               of_table("EV10")};
+inline constexpr CardLayout table_pressures{stress_of_table("C1"), stress_of_table("C2"), stress_of_table("C3"),
+                                            stress_of_table("C4"), stress_of_table("C5")};
+inline constexpr CardLayout table_pressures_more{stress_of_table("C6"), stress_of_table("C7"), stress_of_table("C8"),
+                                                 stress_of_table("C9"), stress_of_table("C10")};
+inline constexpr CardLayout table_factors{of_table("T1"), of_table("T2"), of_table("T3"), of_table("T4"),
+                                          of_table("T5")};
+inline constexpr CardLayout table_factors_more{of_table("T6"), of_table("T7"), of_table("T8"), of_table("T9"),
+                                               of_table("T10")};
 
 }  // namespace pinball::layout

@@ -89,6 +89,10 @@ void add_definitions(Table& table) {
                    {&l::erosion, &l::erosion_limits, &l::erosion_damage, &l::erosion_curves, &l::erosion_more}});
   table.push_back({"EOS_GRUNEISEN", "", {&l::grueneisen, &l::grueneisen_volume}});
   table.push_back({"EOS_LINEAR_POLYNOMIAL", "", {&l::linear_polynomial, &l::linear_polynomial_state}});
+  table.push_back({"EOS_TABULATED",
+                   "",
+                   {&l::tabulated_state, &l::table_strains, &l::table_strains_more, &l::table_pressures,
+                    &l::table_pressures_more, &l::table_factors, &l::table_factors_more}});
 }
 
 void add_boundaries(Table& table) {
