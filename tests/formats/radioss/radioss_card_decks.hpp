@@ -57,6 +57,17 @@ inline const std::string held = "/BCS/1\nb\n   111 000         0         5\n",
                                         twenty({400, 500, 0.5}) + "\n" + twenty({0.02, 1}) + "\n";
 inline const std::vector<std::string> scales{",,", ",,,", "1,0.2", "", ""};
 
+/// Both cubes as rigid bodies of their own, with a node of each in one place between them, and a part of springs.
+inline std::string two_rigid_cubes() {
+  return "/NODE\n" + square_nodes(1, 0) + square_nodes(5, 1) + square_nodes(9, 1.5) + square_nodes(13, 2.5) +
+         ten({"98"}) + ten({"99"}) + fmt::format("{:>10}{:>20}{:>20}{:>20}\n", 96, 0.5, 0.5, 1.25) +
+         fmt::format("{:>10}{:>20}{:>20}{:>20}\n", 97, 0.5, 0.5, 1.25) + "/GRNOD/NODE/21\nlower\n" +
+         ten({"1", "2", "3", "4", "5", "6", "7", "8", "96"}) + "/GRNOD/NODE/22\nupper\n" +
+         ten({"9", "10", "11", "12", "13", "14", "15", "16", "97"}) + "/RBODY/1\nlower\n" +
+         ten({"98", "0", "0", "0", "-", "-", "21"}) + "/RBODY/2\nupper\n" + ten({"99", "0", "0", "0", "-", "-", "22"}) +
+         "/PART/3\nsprings\n" + ten({"2", "0", "0"});
+}
+
 /// The nodes of both cubes, and those in the middles between 1, 2, 4 and 5.
 inline std::string nodes_with_middles() {
   const double middles[6][3] = {{0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
@@ -105,6 +116,7 @@ inline std::vector<RadiossCardDeck> radioss_card_decks() {
       {"PROP/SOLID", "/PROP/SOLID/1", {"24,0", "0,0,0", "0"}},
       {"DEF_SOLID", "/DEF_SOLID", {"24,0"}},
       {"MAT/ELAST", "/MAT/ELAST/1", {"7.85E-9", "210000.,0.3"}},
+      {"MAT/RIGID", "/MAT/RIGID/1", {"7.85E-9", "210000.,0.3"}},
       {"MAT/PLAS_JOHNS", "/MAT/PLAS_JOHNS/1", {"7.85E-9", "210000.,0.3", "400.,500.,0.5", "", ""}},
       {"MAT/PLAS_JOHNS", "/MAT/PLAS_JOHNS/1", {"7.85E-9", "210000.,0.3", "400.,500.,1", "", ""}},
       {"MAT/PLAS_JOHNS", "/MAT/PLAS_JOHNS/1", {"7.85E-9", "210000.,0.3", "400.,500.,0.5", "0.02,1.5", "1.1,1500.,3.5"}},
@@ -136,12 +148,24 @@ inline std::vector<RadiossCardDeck> radioss_card_decks() {
       {"FAIL/JOHNSON", "/FAIL/JOHNSON/1", {"0.1,0.2,-1.5,0.01", "1", ""}, plastic},
       {"BCS", "/BCS/1", {"   010 000,0,5"}},
       {"INIVEL/TRA", "/INIVEL/TRA/1", {"1.5,2.5,3.5,5", ""}},
+      {"INIVEL/ROT",
+       "/INIVEL/ROT/1",
+       {"0.1,0.2,0.3,8,0", ""},
+       "/RBODY/1\nupper\n" + ten({"99", "0", "0", "0", "-", "-", "6"})},
       {"INIVEL/AXIS", "/INIVEL/AXIS/1", {"Z,5,5", "1.5,2.5,3.5,4.5", ""}},
       {"CLOAD", "/CLOAD/1", {"5,X,0,0,5"}},
       {"PLOAD", "/PLOAD/1", {"5,5"}},
       {"GRAV", "/GRAV/1", {"5,Z,0,0,6"}},
       {"RWALL/PLANE", "/RWALL/PLANE/1", {"0,2,5,0", "0.2,0.1", "0.1,0.1,-0.3", "0.2,0.1,0.7"}},
-      {"RBODY", "/RBODY/1", {"99,0,0,0,,6", "", "", ""}, "", {"ICoG"}},
+      {"RBODY", "/RBODY/1", {"99,0,0,,,6", "", "", ""}, "", {"ICoG"}},
+      {"PROP/KJOINT2",
+       "/PROP/KJOINT2/2",
+       {"1,0,0,0,0,0,0", "0,0,0,0,0", "0,0", "0,0,0"},
+       two_rigid_cubes() + "/SPRING/3\n" + ten({"70", "96", "97"})},
+      {"SPRING",
+       "/SPRING/3",
+       {"70,96,97,0,0"},
+       two_rigid_cubes() + "/PROP/KJOINT2/2\njoint\n" + ten({"1"}) + "\n\n\n\n\n\n\n\n\n"},
       {"DAMP", "/DAMP/1", {"1.5", ""}},
       {"TH/NODE",
        "/TH/NODE/1",

@@ -27,17 +27,26 @@ struct RadiossBody {
   int solids = 0;
 };
 
-/// An /RBODY: bodies all of whose nodes are in its group, and single nodes of others.
+/// Mass, centre and inertia about it, rows.
+struct RadiossInertia {
+  double mass = 0;  ///< 0 where it is given: that of the nodes
+  Point centre{};
+  std::array<Point, 3> about{};
+};
+
+/// An /RBODY: bodies all of whose nodes are in its group, and single nodes of others; or a part of /MAT/RIGID.
 struct RadiossRigidBody {
   const RadiossBlock* block = nullptr;
   DeckCard card{};
   std::string name{};                 ///< in the scene
-  std::int32_t main = -1;             ///< place of the main node in the mesh, which no solid has
+  std::int32_t main = -1;             ///< place of the main node in the mesh, which no solid has; -1: it has none
   std::int64_t group = 0;             ///< number of the group of its nodes
   std::vector<std::string> bodies{};  ///< those that are rigid as a whole
   bool attaches = false;              ///< whether the group has nodes of bodies that deform
   unsigned held = 0;                  ///< bits of x, y, z, and behind these of rotations about them
   std::optional<Point> velocity{};    ///< of its centre, at the start
+  std::optional<Point> angular_velocity{};
+  std::optional<RadiossInertia> inertia{};  ///< where it is not that of its nodes
 };
 
 /// What keywords of Radioss input refer to by number.

@@ -81,6 +81,9 @@ std::vector<DeckElement> radioss_elements(RadiossData& data) {
     given.add(fmt::format("property {}", block.id()), block.place);
     int solids = 0;
     for (const RadiossBody& body : data.bodies) solids += body.part.property == block.id() ? body.solids : 0;
+    const bool joint = block.name == "PROP/KJOINT2";
+    if (joint && solids > 0) data.report.reject(block.place, block.title + " of solids", "give /PROP/SOLID", solids);
+    if (joint && solids == 0 && is_property_of_springs(data, block.id())) continue;
     if (solids == 0) {
       data.report.unused(block.place, fmt::format("{}, which no part with solids has", block.title));
       if (block.log != nullptr) block.log->done(&block);

@@ -8,6 +8,15 @@
 /// is wrong is an InputError "FILE:LINE: ...".
 namespace pinball {
 
+/// A /SPRING that is a joint, and what the /PROP/KJOINT2 of its part says.
+struct RadiossJoint {
+  DeckCard card{}, property{};
+  std::int64_t number = 0;
+  std::array<std::int32_t, 2> nodes{};  ///< places in the mesh
+  bool is_fixed = false;                ///< else spherical
+  std::vector<double> stiffness{};      ///< Kri [moment]
+};
+
 /// /PROP/SOLID and /DEF_SOLID: what each body has.
 std::vector<DeckElement> radioss_elements(RadiossData& data);
 
@@ -23,6 +32,12 @@ void translate_radioss_bodies(const RadiossData& data, const std::string& mesh_f
 /// /RBODY, before what holds and moves main nodes, and what has become of them: [[rigid_body]], [[rigid_nodes]].
 void find_radioss_rigid_bodies(RadiossData& data);
 void translate_radioss_rigid_bodies(RadiossData& data, DeckScene& scene);
+
+/// /SPRING whose parts have a /PROP/KJOINT2, read before all else, and what they join: [[joint]]. Other /SPRING are
+/// refused.
+std::vector<RadiossJoint> find_radioss_joints(RadiossData& data);
+bool is_property_of_springs(const RadiossData& data, std::int64_t id);
+void translate_radioss_joints(RadiossData& data, const std::vector<RadiossJoint>& joints, DeckScene& scene);
 
 /// /BCS, /IMPVEL, /IMPDISP, /IMPACC: [[constraint]], [[prescribed_velocity]], of main nodes [[rigid_motion]].
 void translate_radioss_boundary(RadiossData& data, DeckScene& scene);

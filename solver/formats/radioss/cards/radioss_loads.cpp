@@ -7,6 +7,7 @@
 #include <solver/formats/deck/face_normals.hpp>
 #include <solver/formats/radioss/layouts/radioss_boundary_cards.hpp>
 
+#include "radioss_inertia.hpp"
 #include "radioss_keys.hpp"
 
 namespace pinball {
@@ -33,14 +34,33 @@ void translate_force(RadiossData& data, const RadiossBlock& block, DeckScene& sc
     return;
   }
   const Point direction = data.axes(f.integer("skew_ID"), line.place)[degree];
-  const auto begin = [&](bool each, std::int64_t set) {
+  const auto add = [&](const Point& force) {
     const auto keys = scene.entry<NodalLoad>("load", card_of(block, line.place));
-    keys.set("force", direction, "Dir");
-    keys.set("each", each);
+    keys.set("force", force, "Dir");
     data.set_function(f.integer("fct_IDT"), f.number("Ascale_x"), f.number("Fscale_y"), line.place, keys);
+    return keys;
+  };
+  const auto begin = [&](bool each, std::int64_t set) {
+    const auto keys = add(direction);
+    keys.set("each", each);
     keys.set("set", std::to_string(set), "grnod_ID");
   };
-  for (const RadiossRigidBody* rigid : mains) begin(false, rigid->group);
+  for (const RadiossRigidBody* rigid : mains) {
+    if (!rigid->inertia) {
+      begin(false, rigid->group);
+      continue;
+    }
+    const auto shares = shares_at(data, *rigid, rigid->inertia->centre);
+    if (shares.empty())
+      data.report.reject(line.place,
+                         block.title +
+                             " of the main node of an /RBODY of nodes in one plane, "
+                             "whose centre is not theirs",
+                         "give ICoG 1 and no Mass");
+    for (const auto& [node, share] : shares)
+      add({share * direction[0], share * direction[1], share * direction[2]})
+          .set("nodes", std::vector{data.mesh.node_ids[node]}, "grnod_ID");
+  }
   if (data.has_used(group)) {
     begin(true, id);
   } else if (mains.empty()) {

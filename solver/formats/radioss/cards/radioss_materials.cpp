@@ -24,8 +24,8 @@ struct Beside {
 };
 
 bool is_done_material(const std::string& name) {
-  return name == "MAT/ELAST" || name == "MAT/PLAS_JOHNS" || name == "MAT/HYD_JCOOK" || name == "MAT/HYDPLA" ||
-         name == "MAT/PLAS_TAB" || name == "MAT/COWPER";
+  return name == "MAT/ELAST" || name == "MAT/RIGID" || name == "MAT/PLAS_JOHNS" || name == "MAT/HYD_JCOOK" ||
+         name == "MAT/HYDPLA" || name == "MAT/PLAS_TAB" || name == "MAT/COWPER";
 }
 
 /// VP: 2 where it is 0.
@@ -319,7 +319,8 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   const auto keys = scene.entry<Material>("material", card_of(block, first.place));
   keys.comment(lines.title());
   keys.set("name", fmt::format("mat_{}", block.id()));
-  keys.set("model", block.name == "MAT/ELAST" ? "elastic" : "von_mises");
+  const bool elastic = block.name == "MAT/ELAST" || block.name == "MAT/RIGID";
+  keys.set("model", elastic ? "elastic" : "von_mises");
   keys.set("density", density, "RHO_I");
   const bool johnson = block.name == "MAT/PLAS_JOHNS",
              hydro = block.name == "MAT/HYD_JCOOK" || block.name == "MAT/HYDPLA";
@@ -329,7 +330,7 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   if (beside.state_equation != nullptr && !hydro)
     data.report.reject(beside.state_equation->place, beside.state_equation->title + " of such a material",
                        "give /MAT/HYD_JCOOK: others have a bulk modulus");
-  if (block.name == "MAT/ELAST") {
+  if (elastic) {
     const DataLine line = lines.require("E and nu");
     set_elasticity(RadiossFields(line, block, radioss::elasticity), keys);
   }

@@ -20,9 +20,13 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"PROP/SOLID", done,
        "TYPE14: Isolid 1 and 2 viscous with h/4; 24 and, in the place of full integration, 12, 14, 17, 18 as assumed "
        "strains; qa, qb"},
+      {"PROP/KJOINT2", done,
+       "TYPE45, spherical (Type 1) or fixed (8), of a SPRING between two RBODY, exact; resistance that counts is "
+       "refused"},
       {"PROP/*", rejected, "other properties; where no part with solids has it, it is reported"},
       {"DEF_SOLID", done, "Isolid and Ismstr where a property leaves them 0"},
       {"MAT/ELAST", done, "LAW1"},
+      {"MAT/RIGID", done, "LAW13: each part that has it, and is not all of an RBODY, is a rigid body"},
       {"MAT/PLAS_JOHNS", done,
        "LAW2: a, b, n or Iflag 1, rate, heat, Chard of a line; SIG_max0 without rate and heat; EPS_p_max is refused"},
       {"MAT/HYDPLA", done, "LAW3, with an EOS"},
@@ -75,6 +79,7 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"IMPDISP", done, "the same"},
       {"IMPACC", done, "the same"},
       {"INIVEL/TRA", done, "of a group, or of all nodes; also in a SKEW/FIX"},
+      {"INIVEL/ROT", done, "of main nodes of RBODY; means nothing of other nodes"},
       {"INIVEL/AXIS", done, "with a spin about an axis of a FRAME/FIX, or of the global system"},
       {"CLOAD", done, "along an axis, on each node; on main nodes on the centre of the body"},
       {"PLOAD", done, "on a SURF/SEG of faces of solids, along its normal"},
@@ -83,8 +88,9 @@ const std::vector<RadiossRule>& radioss_rules() {
        "nodes of grnd_ID1 and those within d, without grnd_ID2; slides, sticks (Slide 1) or rubs; with a node, Mass "
        "and velocity it is pushed along its normal"},
       {"RBODY", done,
-       "nodes of whole parts, and others that move with these; mass, centre (ICoG 1, 2) and inertia are those of its "
-       "nodes"},
+       "nodes of whole parts, and others that move with these; mass, centre (ICoG) and inertia are those of its nodes "
+       "with "
+       "what its main node adds; Mass where no body that deforms has its nodes"},
       {"INTER/TYPE2", done, "nodes within dsearch of a face are put on it; 0: within 0.05 of its shorter diagonal"},
       {"INTER/TYPE7", done, "exact impulses between faces; Fric; Tstart, Tstop"},
       {"INTER/TYPE11", done, "the same of the faces that the lines are of"},
@@ -105,7 +111,7 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"DT/SHELL*", ignored, "there are no shells"},
       {"DT/SH_3N*", ignored, "there are no shells"},
       {"DT/SPRING*", ignored, "there are no springs"},
-      {"DTIX", done, "the first step is stable by itself; a longest step is refused"},
+      {"DTIX", done, "steps are as long as is stable: nothing of it is used, and what it sets is reported"},
       {"STOP", done, "limits at which the engine stops: nothing of it is used, and what it sets is reported"},
       {"KILL", done, "the same"},
       {"TFILE", done, "rows of history.csv"},
@@ -136,14 +142,14 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"TRIA", rejected, "the same"},
       {"BEAM", rejected, "beams: solids in their place"},
       {"TRUSS", rejected, "the same"},
-      {"SPRING", rejected, "springs and dampers"},
+      {"SPRING", done, "joints of PROP/KJOINT2; springs and dampers are refused"},
       {"SPHCEL*", rejected, "particles"},
       {"ALE/*", rejected, "meshes that do not go with the material"},
       {"EULER/*", rejected, "the same"},
       {"INIBRI/*", rejected, "what elements have at the start"},
       {"INTER/*", rejected, "other contacts: TYPE2, 7, 11, 24 or 25 in their place"},
       {"RWALL/*", rejected, "walls that are no planes, or parts of them"},
-      {"INIVEL/*", rejected, "other velocities: TRA or AXIS in their place"},
+      {"INIVEL/*", rejected, "other velocities: TRA, ROT or AXIS in their place"},
       {"SURF/*", rejected, "of solids SURF/.../EXT or SEG"},
       {"SET/*", rejected, "sets: GRNOD, GRBRIC and SURF in their place"},
   };

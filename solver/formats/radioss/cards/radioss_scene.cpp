@@ -56,6 +56,7 @@ TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const 
   RadiossData data(deck, mesh, report);
   require_one_of_each(deck, report);
   reject_of_parts(data);
+  const std::vector<RadiossJoint> joints = find_radioss_joints(data);
   find_radioss_rigid_bodies(data);
   DeckScene scene, bodies, boundary;
   data.elements = radioss_elements(data);
@@ -68,6 +69,7 @@ TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const 
   translate_radioss_velocities(data, boundary);
   translate_radioss_loads(data, boundary);
   translate_radioss_rigid_bodies(data, bodies);
+  translate_radioss_joints(data, joints, bodies);
   translate_radioss_probes(data, boundary);
   data.tell_unused_definitions();
   for (const std::string& note : std::exchange(mesh.notes, {})) report.understood(note);

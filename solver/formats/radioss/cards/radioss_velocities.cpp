@@ -55,6 +55,23 @@ void translate_straight(RadiossData& data, const RadiossBlock& block, DeckScene&
   add_velocity(data, block, line.place, f.integer("grnod_ID"), velocity, false, scene, [](const VelocityKeys&) {});
 }
 
+/// Of main nodes: how their bodies turn. Of several of the same node the last counts, as in the starter.
+void translate_turning(RadiossData& data, const RadiossBlock& block) {
+  RadiossLines lines(block);
+  const DataLine line = lines.require("an angular velocity and a group"), start = lines.next_or_blank();
+  const RadiossFields f(line, block, radioss::velocity_of_turning), s(start, block, radioss::velocity_start);
+  const Point velocity = in_axes(data.axes(f.integer("skew_ID"), line.place), f.point("Vxr"));
+  const auto mains = data.rigid_in(data.node_group(f.integer("grnod_ID"), line.place));
+  if (mains.empty())
+    data.report.unused(line.place, block.title + ": Vxr, Vyr, Vzr", "only main nodes of rigid bodies turn");
+  for (RadiossRigidBody* rigid : mains) {
+    if (rigid->angular_velocity)
+      data.report.understood(fmt::format("{} ({}): takes the place of the one before of the same main node",
+                                         block.title, line.place.text()));
+    rigid->angular_velocity = velocity;
+  }
+}
+
 /// The axis goes through the origin of the frame.
 void translate_spin(RadiossData& data, const RadiossBlock& block, DeckScene& scene) {
   RadiossLines lines(block);
@@ -80,6 +97,7 @@ void translate_radioss_velocities(RadiossData& data, DeckScene& scene) {
   for (const RadiossBlock& block : data.deck.blocks) {
     if (block.name == "INIVEL/TRA") translate_straight(data, block, scene);
     if (block.name == "INIVEL/AXIS") translate_spin(data, block, scene);
+    if (block.name == "INIVEL/ROT") translate_turning(data, block);
   }
 }
 

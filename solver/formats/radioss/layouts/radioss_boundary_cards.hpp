@@ -30,6 +30,8 @@ inline constexpr CardLayout pressure{whole("surf_ID").always(),
 inline constexpr CardLayout gravity{whole("fct_IDT"),  word("Dir"), whole("skew_ID"),    sensor("sens_ID"),
                                     whole("grnod_ID"), blank(10),   real("Ascale_x", 1), real("Fscale_y", 1)};
 inline constexpr CardLayout velocity{real("Vx"), real("Vy"), real("Vz"), whole("grnod_ID"), whole("skew_ID")};
+inline constexpr CardLayout velocity_of_turning{real("Vxr"), real("Vyr"), real("Vzr"), whole("grnod_ID").always(),
+                                                whole("skew_ID")};
 inline constexpr CardLayout velocity_axis{word("Dir"), whole("frame_ID"), whole("grnod_ID")};
 inline constexpr CardLayout velocity_spin{real("Vxt"), real("Vyt"), real("Vzt"), real("Vr")};
 inline constexpr CardLayout velocity_start{real("Tstart").rejected("velocities are those of the start"),
@@ -42,23 +44,37 @@ inline constexpr CardLayout wall_friction{real("d"), real("fric"), real("Diamete
 inline constexpr CardLayout wall_point{real("XM"), real("YM"), real("ZM")};
 inline constexpr CardLayout wall_mass{real("Mass"), real("VX0"), real("VY0"), real("VZ0")};
 inline constexpr CardLayout wall_head{real("XM1"), real("YM1"), real("ZM1")};
-inline constexpr std::string_view own_inertia = "leave it 0: mass and inertia are those of its nodes";
 inline constexpr CardLayout rigid_body{whole("node_ID").always(),
                                        sensor("sens_ID"),
-                                       whole("Skew_ID").reported("inertia is that of the nodes"),
-                                       whole("Ispher").from(0, 0),
-                                       real("Mass").rejected(own_inertia),
+                                       whole("Skew_ID"),
+                                       whole("Ispher", 2).from(0, 2),
+                                       real("Mass").at_least(0),
                                        whole("grnd_ID").always(),
                                        whole("Ikrem").reported("rigid walls know no rigid bodies"),
                                        whole("ICoG", 1).from(0, 4),
                                        whole("surf_ID").reported("of ellipsoids")};
-inline constexpr CardLayout rigid_inertia{real("Jxx").rejected(own_inertia), real("Jyy").rejected(own_inertia),
-                                          real("Jzz").rejected(own_inertia)};
-inline constexpr CardLayout rigid_products{real("Jxy").rejected(own_inertia), real("Jyz").rejected(own_inertia),
-                                           real("Jxz").rejected(own_inertia)};
+inline constexpr CardLayout rigid_inertia{real("Jxx").at_least(0), real("Jyy").at_least(0), real("Jzz").at_least(0)};
+inline constexpr CardLayout rigid_products{real("Jxy"), real("Jyz"), real("Jxz")};
 inline constexpr CardLayout rigid_options{whole("Ioptoff").reported("rigid bodies stay rigid"),
                                           whole("Iexpams").reported("of advanced mass scaling"),
                                           whole("Ifail").rejected("rigid bodies hold their nodes for ever")};
+inline constexpr std::string_view exact_joints = "joints are exact", no_axis = "this joint has no axis";
+inline constexpr CardLayout joint{whole("Type").always(),
+                                  real("Kn").reported(exact_joints),
+                                  real("ScF").reported(exact_joints),
+                                  real("Cr").reported(exact_joints),
+                                  sensor("sens_ID"),
+                                  whole("Skew_ID1").reported(no_axis),
+                                  whole("Skew_ID2").reported(no_axis)};
+inline constexpr std::string_view free_joints = "leave it 0: joints have no resistance in what they leave free";
+inline constexpr CardLayout joint_stiffness{real("Kri").at_least(0), whole("fct_Kri").rejected(free_joints),
+                                            real("SAi-").rejected(free_joints), real("SAi+").rejected(free_joints),
+                                            whole("Icomb_ri").rejected(free_joints)};
+inline constexpr CardLayout joint_damping{real("Cri").rejected(free_joints), whole("fct_Cri").rejected(free_joints)};
+inline constexpr CardLayout joint_friction{real("Kfri").rejected(free_joints), real("FMi").rejected(free_joints),
+                                           whole("fct_FMi").rejected(free_joints)};
+inline constexpr CardLayout spring{whole("sprg_ID"), whole("node_ID1").always(), whole("node_ID2").always(),
+                                   whole("node_ID3").reported(no_axis), whole("node_ID4").reported(no_axis)};
 inline constexpr CardLayout damping{real("Alpha"),
                                     real("Beta").rejected("there is no damping in proportion to stiffness"),
                                     whole("grnod_ID"),

@@ -49,6 +49,7 @@ void add_materials(Table& table) {
   add(table, "PROP/SOLID", {&r::solid, &r::solid_viscosity, &r::solid_step});
   add(table, "DEF_SOLID", {&r::default_solid});
   add(table, "MAT/ELAST", {&r::density, &r::elasticity});
+  add(table, "MAT/RIGID", {&r::density, &r::elasticity});
   add(table, "MAT/PLAS_JOHNS",
       {&r::density, &r::johnson_elasticity, &r::johnson_hardening, &r::johnson_rate, &r::johnson_heat});
   add(table, "MAT/HYDPLA", {&r::density, &r::elasticity, &r::hydro_hardening, &r::hydro_cutoff});
@@ -70,12 +71,15 @@ void add_boundaries(Table& table) {
   add(table, "BCS", {&r::held});
   for (const char* keyword : {"IMPVEL", "IMPDISP", "IMPACC"}) add(table, keyword, {&r::motion, &r::motion_scales});
   add(table, "INIVEL/TRA", {&r::velocity, &r::velocity_start});
+  add(table, "INIVEL/ROT", {&r::velocity_of_turning, &r::velocity_start});
   add(table, "INIVEL/AXIS", {&r::velocity_axis, &r::velocity_spin, &r::velocity_start});
   add(table, "CLOAD", {&r::nodal_load});
   add(table, "PLOAD", {&r::pressure});
   add(table, "GRAV", {&r::gravity});
   add(table, "RWALL/PLANE", {&r::wall_nodes, &r::wall_friction, &r::wall_point, &r::wall_head});
   add(table, "RBODY", {&r::rigid_body, &r::rigid_inertia, &r::rigid_products, &r::rigid_options});
+  add(table, "PROP/KJOINT2", {&r::joint, &r::joint_stiffness, &r::joint_damping, &r::joint_friction});
+  add(table, "SPRING", {&r::spring});
   add(table, "DAMP", {&r::damping, &r::damping_more});
   add(table, "TH/NODE", {&r::variables, &r::watched_node});
   add(table, "TH/BRIC", {&r::variables, &r::watched_brick});

@@ -1,0 +1,144 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "radioss_card_decks.hpp"
+
+namespace pinball::test::radioss_rigid_test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+class RadiossRigid : public RadiossTest {
+ protected:
+  /// Two cubes, one 1 to 1 and one 1.5 to 2.5 high, with these keywords more.
+  static std::string two_cubes(const std::string& material, const std::string& more) {
+    std::string text = radioss_begin + material + radioss_property;
+    for (const std::string& block : common_radioss_blocks()) {
+      const std::string header = block.substr(0, block.find('\n'));
+      const bool is_used = header == "/NODE" || header.starts_with("/PART/") || header.starts_with("/BRICK/");
+      if (is_used && more.find(header + "\n") == std::string::npos) text += block;
+    }
+    return text + "/SUBSET/3\nsome\n" + more;
+  }
+  static std::string body(const char* main, double mass, const char* group, const char* centre, double inertia = 0,
+                          const char* sphere = "0") {
+    return "/RBODY/1\nr\n" +
+           fmt::format("{:>10}{:>10}{:>10}{:>10}{:>20.10g}{:>10}{:>10}{:>10}\n", main, 0, 0, sphere, mass, group, 0,
+                       centre) +
+           twenty({inertia, inertia, inertia}) + "\n\n";
+  }
+  void expect_error(const std::string& text, const std::vector<std::string>& words) {
+    const std::string message = error(text);
+    for (const std::string& word : words) EXPECT_THAT(message, HasSubstr(word));
+  }
+  static std::string springs(const std::string& property) {
+    return of_radioss::two_rigid_cubes() + "/SPRING/3\n" + ten({"70", "96", "97"}) + property;
+  }
+};
+
+TEST_F(RadiossRigid, EachPartOfLaw13IsABody) {
+  const Scene made = scene(two_cubes("/MAT/LAW13/1\nrigid\n" + twenty({7.85e-9, 0}) + twenty({210000, 0.3}), ""));
+  ASSERT_EQ(made.rigid_bodies.size(), 2U);
+  EXPECT_EQ(made.rigid_bodies[0].bodies, std::vector<std::string>{"lower"});
+  EXPECT_EQ(made.rigid_bodies[1].bodies, std::vector<std::string>{"upper"});
+  EXPECT_FALSE(made.materials.at(0).plastic);
+}
+
+TEST_F(RadiossRigid, APartOfLaw13ThatIsOfARigidBodyIsNoneByItself) {
+  const std::string rigid = "/MAT/RIGID/1\nrigid\n" + twenty({7.85e-9, 0}) + twenty({210000, 0.3});
+  const Scene made = scene(two_cubes(
+      rigid, "/GRNOD/PART/6\nboth\n" + ten({"1", "2"}) + "/RBODY/1\nr\n" + ten({"99", "0", "0", "0", "-", "-", "6"})));
+  ASSERT_EQ(made.rigid_bodies.size(), 1U);
+  EXPECT_EQ(made.rigid_bodies[0].bodies.size(), 2U);
+  expect_error(two_cubes(rigid, "/GRNOD/NODE/6\nsome\n" + ten({"1"}) + "/RBODY/1\nr\n" +
+                                    ten({"99", "0", "0", "0", "-", "-", "6"})),
+               {"/MAT/RIGID/1: node 1 is of /RBODY/1, too"});
+}
+
+/// A cube of mass m has m/2 about each axis through its centre, its masses at its corners.
+TEST_F(RadiossRigid, MassAndInertiaAreThoseOfNodesAndMainNode) {
+  const double m = 7.85e-9;
+  const std::string group = "/GRNOD/PART/6\nupper\n" + ten({"2"});
+  RigidBody own = scene(two_cubes(radioss_steel, group + body("99", m, "6", "1"))).rigid_bodies.at(0);
+  EXPECT_NEAR(own.mass, 2 * m, 1e-15 * m);
+  EXPECT_EQ(*own.centre, (Point{0.25, 0.25, 1}));  // between (0.5, 0.5, 2) and the origin
+  EXPECT_NEAR(own.inertia[0][0], m * (0.5 + (0.25 + 4) / 2), 1e-12 * m);
+  EXPECT_NEAR(own.inertia[2][0], -m * 0.5, 1e-12 * m);
+
+  own = scene(two_cubes(radioss_steel, group + body("99", 0, "6", "3", 2 * m))).rigid_bodies.at(0);
+  EXPECT_EQ(own.mass, 0);
+  EXPECT_EQ(*own.centre, (Point{0, 0, 0}));
+  EXPECT_NEAR(own.inertia[0][0], m * (0.5 + 4.25 + 2), 1e-12 * m);
+  EXPECT_NEAR(own.inertia[2][2], m * (0.5 + 0.5 + 2), 1e-12 * m);
+
+  own = scene(two_cubes(radioss_steel, group + body("99", 0, "6", "3", 0, "1"))).rigid_bodies.at(0);
+  EXPECT_NEAR(own.inertia[2][2], m * (1.5 + 9) / 3, 1e-12 * m);  // the mean
+  EXPECT_NEAR(own.inertia[2][0], 0, 1e-12 * m);
+
+  own = scene(two_cubes(radioss_steel, group + body("99", 3 * m, "6", "4", 2 * m))).rigid_bodies.at(0);
+  EXPECT_NEAR(own.mass, 3 * m, 1e-9 * m);
+  EXPECT_DOUBLE_EQ(own.inertia[1][1], 2 * m);
+  EXPECT_EQ(own.inertia[1][0], 0);
+  expect_error(two_cubes(radioss_steel, group + body("99", 0, "6", "4", 2 * m)), {"Mass", "above 0", "ICoG 4"});
+  expect_error(two_cubes(radioss_steel, "/GRNOD/NODE/6\nn\n" + ten({"9", "10"}) + body("99", m, "6", "1")),
+               {"/RBODY with Mass and nodes of bodies that deform"});
+}
+
+/// Forces on a main node that is no centre of its nodes act there all the same.
+TEST_F(RadiossRigid, AForceOnAMainNodeActsAtTheCentre) {
+  const Scene made =
+      scene(two_cubes(radioss_steel, "/GRNOD/PART/6\nupper\n" + ten({"2"}) + "/GRNOD/NODE/8\nm\n" + ten({"99"}) +
+                                         body("99", 0, "6", "3") + "/FUNCT/5\nf\n" + twenty({0, 1}) + twenty({1, 1}) +
+                                         "/CLOAD/1\nl\n" + ten({"5", "Y", "0", "0", "8"})));
+  Point sum{}, moment{};
+  for (const NodalLoad& load : made.loads) {
+    ASSERT_EQ(load.nodes.nodes.size(), 1U);
+    const std::int64_t node = load.nodes.nodes[0] - 9;  // of the upper cube
+    const Point place{node % 4 == 1 || node % 4 == 2 ? 1.0 : 0.0, node % 4 >= 2 ? 1.0 : 0.0, node >= 4 ? 2.5 : 1.5};
+    const Point of_force = cross(place, load.force);
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += load.force[k];
+      moment[k] += of_force[k];
+    }
+  }
+  EXPECT_NEAR(sum[0], 0, 1e-14);
+  EXPECT_NEAR(sum[1], 1, 1e-14);
+  EXPECT_NEAR(norm(moment), 0, 1e-14);
+}
+
+TEST_F(RadiossRigid, OfSeveralTurnsTheLastCounts) {
+  const std::string more = "/GRNOD/PART/6\nupper\n" + ten({"2"}) + "/GRNOD/NODE/8\nm\n" + ten({"99"}) +
+                           body("99", 0, "6", "1") + "/INIVEL/ROT/1\nx\n" +
+                           fmt::format("{:>20}{:>20}{:>20}{:>10}\n", 3, 0, 0, 8) + "/INIVEL/ROT/2\ny\n" +
+                           fmt::format("{:>20}{:>20}{:>20}{:>10}\n", 0, 4, 0, 8);
+  EXPECT_EQ(scene(two_cubes(radioss_steel, more)).rigid_bodies.at(0).angular_velocity, (Point{0, 4, 0}));
+  EXPECT_THAT(translate(two_cubes(radioss_steel, more), {}).understood, Contains(HasSubstr("takes the place")));
+}
+
+TEST_F(RadiossRigid, AKjoint2HoldsTwoBodies) {
+  const std::string text = springs("/PROP/TYPE45/2\nj\n" + ten({"1"}) + "\n\n\n\n\n\n\n\n\n");
+  const Scene made = scene(two_cubes(radioss_steel, text));
+  ASSERT_EQ(made.joints.size(), 1U);
+  EXPECT_EQ(made.joints[0].kind, JointKind::spherical);
+  EXPECT_EQ(*made.joints[0].point, (Point{0.5, 0.5, 1.25}));
+  EXPECT_EQ(scene(two_cubes(radioss_steel, springs("/PROP/KJOINT2/2\nj\n" + ten({"8"})))).joints.at(0).kind,
+            JointKind::locking);
+}
+
+TEST_F(RadiossRigid, WhatAJointIsNotIsRefused) {
+  const auto with = [](const std::string& property) { return two_cubes(radioss_steel, springs(property)); };
+  expect_error(with("/PROP/TYPE45/2\nj\n" + ten({"2"})), {"/PROP/TYPE45/2 with Type 2"});
+  expect_error(with("/PROP/TYPE45/2\nj\n" + ten({"11"})), {"cube_0000.rad:", "Type", "1 to 9", "11"});
+  expect_error(with("/PROP/TYPE4/2\nj\n\n"), {"/SPRING", "springs and dampers"});
+  expect_error(with("/PROP/TYPE45/2\nj\n" + ten({"1"}) + twenty({1e6})), {"stiffness that counts"});
+  expect_error(with("/PROP/TYPE45/2\nj\n" + ten({"8"}) + "/SPRING/3\n" + ten({"70", "96", "97"})),
+               {"spring 70", "twice"});
+  expect_error(with("/PROP/TYPE45/2\nj\n" + ten({"8"}) + "/SPRING/3\n" + ten({"71", "96", "1"})),
+               {"does not join two /RBODY"});
+  expect_error(with("/PROP/TYPE45/2\nj\n" + ten({"1"}) + "\n\n\n\n\n\n\n\n\n/SPRING/3\n" + ten({"71", "96", "9"})),
+               {"nodes lie apart"});
+}
+
+}  // namespace
+}  // namespace pinball::test::radioss_rigid_test
