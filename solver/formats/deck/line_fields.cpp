@@ -38,10 +38,21 @@ void LineFields::fail(std::string_view name, const std::string& problem) const {
   fail_at(place_, fmt::format("{}{}: {}", keyword(), name, problem));
 }
 
+std::string LineFields::spilled(std::size_t field) const {
+  const std::string_view given = fields_[field];
+  if (field + 1 >= count_ || given.empty()) return {};
+  const std::string_view next = fields_[field + 1];
+  if (next.empty() || next.data() != given.data() + given.size()) return {};
+  std::string whole = std::string(given) + std::string(next.substr(0, next.find_first_of(" \t")));
+  return deck_number(whole) ? whole : std::string();
+}
+
 void LineFields::fail_to_read(std::size_t field, std::string_view name, const std::string& expected) const {
   const std::string_view given = raw(field);
-  fail(fmt::format("{} (field {})", name, field + 1),
-       fmt::format("expected {}, got {}", expected, given.empty() ? "nothing" : fmt::format("\"{}\"", given)));
+  std::string got = given.empty() ? "nothing" : fmt::format("\"{}\"", given);
+  if (const std::string whole = given.empty() ? "" : spilled(field); !whole.empty())
+    got += fmt::format(" of {}, which goes on behind the columns of the field", whole);
+  fail(fmt::format("{} (field {})", name, field + 1), fmt::format("expected {}, got {}", expected, got));
 }
 
 }  // namespace pinball

@@ -60,6 +60,8 @@ class LineFields {
   std::size_t count_ = 0;
 
  private:
+  /// A number that begins in a field of columns and goes on in the next; empty: there is none.
+  std::string spilled(std::size_t field) const;
   [[noreturn]] void fail_to_read(std::size_t field, std::string_view name, const std::string& expected) const;
 
   std::array<std::string_view, most_fields> fields_{};

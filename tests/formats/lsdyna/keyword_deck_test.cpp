@@ -70,6 +70,12 @@ TEST(DeckFields, AnErrorNamesFileLineFieldAndText) {
             "a.k:3: RO (field 2): expected a number, got \"oops\"");
   EXPECT_EQ(error_of([&] { Fields(card, none, some).number("PR"); }),
             "a.k:3: PR (field 4): expected a number, got nothing");
+  const Card spilled{"         1     1.0E-3", place}, apart{"         1     1.0E- 3", place};
+  EXPECT_EQ(
+      error_of([&] { Fields(spilled, none, some).number("RO"); }),
+      "a.k:3: RO (field 2): expected a number, got \"1.0E-\" of 1.0E-3, which goes on behind the columns of the field");
+  EXPECT_EQ(error_of([&] { Fields(apart, none, some).number("RO"); }),
+            "a.k:3: RO (field 2): expected a number, got \"1.0E-\"");
   EXPECT_EQ(error_of([&] {
               Fields(Card{" ,1", place}, none, some).integer("MID");
             }),
