@@ -71,8 +71,11 @@ constexpr std::array types{
                 .abaqus = "C3D8 C3D8R C3D8I C3D8H C3D8S C3D8RH C3D8IH C3D8T C3D8RT",
                 .radioss = "BRICK"},
     ElementType{.shape = SolidShape::hexahedron, .nodes = 8, .vtk = 11, .order = {0, 1, 3, 2, 4, 5, 7, 6}},
-    ElementType{
-        .shape = SolidShape::hexahedron, .nodes = 20, .abaqus = "C3D20 C3D20R C3D20H C3D20RH", .has_edge_nodes = true},
+    ElementType{.shape = SolidShape::hexahedron,
+                .nodes = 20,
+                .abaqus = "C3D20 C3D20R C3D20H C3D20RH",
+                .radioss = "BRIC20",
+                .has_edge_nodes = true},
     ElementType{.shape = SolidShape::wedge,
                 .nodes = 6,
                 .gmsh = 6,

@@ -78,6 +78,18 @@ inline std::string nodes_with_middles() {
   return lines;
 }
 
+/// The nodes of both cubes, and of the lower one those in the middles of its edges: 31 to 34 of its base, 35 to 38 of
+/// what stands on that, 39 to 42 of its top.
+inline std::string nodes_of_edges() {
+  const double middles[12][3] = {{0.5, 0, 0}, {1, 0.5, 0}, {0.5, 1, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {1, 0, 0.5},
+                                 {1, 1, 0.5}, {0, 1, 0.5}, {0.5, 0, 1}, {1, 0.5, 1}, {0.5, 1, 1}, {0, 0.5, 1}};
+  std::string lines =
+      "/NODE\n" + square_nodes(1, 0) + square_nodes(5, 1) + square_nodes(9, 1.5) + square_nodes(13, 2.5) + ten({"99"});
+  for (int i = 0; i < 12; ++i)
+    lines += fmt::format("{:>10}{:>20}{:>20}{:>20}\n", 31 + i, middles[i][0], middles[i][1], middles[i][2]);
+  return lines;
+}
+
 /// A group by its members, in the place of the one of this header that is there, used or not.
 inline RadiossCardDeck group(const std::string& keyword, const std::string& members, int number = 15) {
   return {keyword, "/" + keyword + "/" + std::to_string(number), {members}};
@@ -98,6 +110,11 @@ inline std::vector<RadiossCardDeck> radioss_card_decks() {
       {"PENTA6", "/PENTA6/1", {"3,1,2,4,5,6,8"}},
       {"TETRA4", "/TETRA4/1", {"3,1,2,4,5"}},
       {"TETRA10", "/TETRA10/1", {"3", "1,2,4,5,20,21,22,23,24,25"}, nodes_with_middles()},
+      {"BRIC20",
+       "/BRIC20/1",
+       {"3,1,2,3,4,5,6,7,8", "31,32,33,34,35,36,37,38", "39,40,41,42"},
+       nodes_of_edges(),
+       {"bric_ID"}},
       {"PART", "/PART/2", {"1,1,3"}, "/GRNOD/SUBSET/7\ns\n" + ten({"3"})},
       {"SUBSET",
        "/SUBSET/3",
@@ -143,6 +160,11 @@ inline std::vector<RadiossCardDeck> radioss_card_decks() {
        {"7.85E-9", "210000.,0.3", "5", "", "5,5,5,5,5", "100.,110.,120.,130.,140.", "0.1,1,2.5,3,4"}},
       {"MAT/COWPER", "/MAT/COWPER/1", {"7.85E-9", "210000.,0.3", "180.,450.,0.5,,300.", "400.,5.", "", ""}},
       {"MAT/COWPER", "/MAT/COWPER/1", {"7.85E-9", "210000.,0.3", "180.,450.,1", "", "", ""}},
+      {"MAT/OGDEN",
+       "/MAT/OGDEN/1",
+       {"1.E-9", "0.4,0,,0,0,0,0", "3.,-1.,3.,-1.,3.", "-1.,3.,-1.,3.,-1.", "2,-2,2,-2,2", "-2,2,-2,2,-2"},
+       "",
+       {"Iform"}},
       {"EOS/GRUNEISEN", "/EOS/GRUNEISEN/1", {"4.5E6,1.5", "1.7"}, hydrodynamic},
       {"EOS/POLYNOMIAL", "/EOS/POLYNOMIAL/1", {"0,175000.", ""}, hydrodynamic},
       {"FAIL/JOHNSON", "/FAIL/JOHNSON/1", {"0.1,0.2,-1.5,0.01", "1", ""}, plastic},

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "radioss_case.hpp"
+#include "radioss_card_decks.hpp"
 
 /// Where Radioss does something else than what the same words would mean elsewhere: it is done, or refused by name.
 namespace pinball::test::radioss_differences_test {
@@ -96,6 +96,40 @@ TEST_F(RadiossDifferences, PressuresPushAlongTheNormalsOfSegments) {
   EXPECT_EQ(scene(pressed(out)).pressures.at(0).pressure, -1);
   EXPECT_EQ(scene(pressed(in)).pressures.at(0).pressure, 1);
   EXPECT_THAT(error(pressed(surface("PART/EXT", ten({"1"})))), HasSubstr("/PLOAD/1 of /SURF/PART/EXT/5"));
+}
+
+TEST_F(RadiossDifferences, OgdensEnergyIsDoneWhereItIsMooneysAndRivlins) {
+  const auto rubber = [](const std::string& moduli, const std::string& exponents) {
+    return radioss_begin + "/MAT/LAW42/1\nrubber\n" + twenty({1e-9}) + twenty({0.4}) + moduli + "\n" + exponents +
+           "\n" + radioss_property + radioss_cube;
+  };
+  const Material neo = scene(rubber(twenty({3, 1}), twenty({2, 2}))).materials.at(0);
+  EXPECT_FALSE(neo.mooney_rivlin);
+  EXPECT_DOUBLE_EQ(neo.shear_modulus, 4);
+  EXPECT_DOUBLE_EQ(neo.bulk_modulus, 4 * 2 * 1.4 / (3 * 0.2));
+  const Material mooney = scene(rubber(twenty({3, -1}), twenty({2, -2}))).materials.at(0);
+  EXPECT_EQ(*mooney.mooney_rivlin, (MooneyRivlinSettings{1.5, 0.5, 0.4}));
+  EXPECT_THAT(error(rubber(twenty({3, 1}), twenty({2, 1.3}))), HasSubstr("/MAT/LAW42/1 with alpha_2 = 1.3"));
+  EXPECT_THAT(error(rubber(twenty({3, 4}), twenty({2, -2}))), HasSubstr("Mu_1"));
+}
+
+/// Its twelve nodes on edges and the seven that it gets; forces on a face are on the eight nodes that the deck has.
+TEST_F(RadiossDifferences, BricksOfTwentyNodesAreEight) {
+  const std::string bricks = "/BRIC20/1\n" + ten({"3", "1", "2", "3", "4", "5", "6", "7", "8"}) +
+                             ten({"31", "32", "33", "34", "35", "36", "37", "38"}) + ten({"39", "40", "41", "42"});
+  const std::string top = "/GRNOD/NODE/5\ntop\n" + ten({"5", "6", "7", "8", "39", "40", "41", "42"});
+  const std::string text = radioss_begin + radioss_steel + radioss_property + "/PART/1\ncube\n" + ten({"1", "1", "0"}) +
+                           of_radioss::nodes_of_edges();
+  const Scene made = scene(text + bricks + top + "/FUNCT/5\nf\n" + twenty({0, 1}) + twenty({1, 1}) + "/CLOAD/1\nl\n" +
+                           ten({"5", "X", "0", "0", "5"}));
+  const Model<double> model = build_model<double>(made);
+  EXPECT_EQ(model.element_count(), 8);
+  for (const double mass : model.element_mass) EXPECT_DOUBLE_EQ(mass, 7.85e-9 / 8);
+  EXPECT_EQ(made.loads.at(0).nodes.nodes.size(), 8U);
+  const std::string apart = "/BRIC20/1\n" + ten({"3", "1", "2", "3", "4", "5", "6", "7", "8"}) +
+                            ten({"31", "32", "33", "34", "39", "36", "37", "38"}) + ten({"35", "40", "41", "42"});
+  EXPECT_THAT(error(text + apart), HasSubstr("middle"));
+  EXPECT_THAT(error(text + bricks + bricks), HasSubstr("solid 3 is given twice"));
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ class RadiossData {
   std::vector<std::int32_t> rigid_of_node;  ///< per node: the rigid body that it is of, or -1
   std::set<std::int32_t> wall_nodes;        ///< places of the nodes of rigid walls that move
   std::size_t walls = 0;
+  std::size_t given_nodes = 0;  ///< behind these come those that hexahedra of twenty nodes get
 
   /// Blocks of a name, in the order of the deck.
   const std::vector<const RadiossBlock*>& blocks_of(const std::string& name) const;

@@ -28,7 +28,7 @@ DefaultSolid read_default(RadiossData& data) {
 }
 
 bool is_fully_integrated(std::int64_t form) {
-  return form == 12 || form == 13 || form == 14 || form == 17 || form == 18 || form == 19;
+  return form == 12 || form == 13 || form == 14 || form == 16 || form == 17 || form == 18 || form == 19;
 }
 
 /// Of a /PROP/SOLID; 0 is the default, as of the starter.
@@ -60,7 +60,7 @@ DeckElement element_of(RadiossData& data, const RadiossBlock& block, int solids,
   }
   if (form != 24 && !is_fully_integrated(form)) {
     data.report.reject(first.place, fmt::format("{} with Isolid {}", block.title, form),
-                       "1, 2, 12, 14, 17, 18 and 24 are read", solids);
+                       "1, 2, 12, 14, 16, 17, 18 and 24 are read", solids);
     return element;
   }
   if (!v.blank("h") && v.number("h") != 0)

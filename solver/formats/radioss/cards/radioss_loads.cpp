@@ -14,6 +14,18 @@ namespace pinball {
 
 namespace {
 
+/// Nodes of a group without those that hexahedra of twenty nodes get, which are of no load; empty: it has none of
+/// these.
+std::vector<std::int64_t> without_middles(const RadiossData& data, const MeshSet& group) {
+  const auto is_new = [&](std::int32_t node) { return static_cast<std::size_t>(node) >= data.given_nodes; };
+  if (std::ranges::none_of(group.members, is_new)) return {};
+  std::vector<std::int64_t> numbers;
+  for (const std::int32_t node : group.members) {
+    if (!is_new(node)) numbers.push_back(data.mesh.node_ids[node]);
+  }
+  return numbers;
+}
+
 /// Forces on each node; those on a main node act on the centre of its body.
 void translate_force(RadiossData& data, const RadiossBlock& block, DeckScene& scene) {
   RadiossLines lines(block);
@@ -43,7 +55,12 @@ void translate_force(RadiossData& data, const RadiossBlock& block, DeckScene& sc
   const auto begin = [&](bool each, std::int64_t set) {
     const auto keys = add(direction);
     keys.set("each", each);
-    keys.set("set", std::to_string(set), "grnod_ID");
+    const std::vector<std::int64_t> given = each ? without_middles(data, group) : std::vector<std::int64_t>{};
+    if (!given.empty()) {
+      keys.set("nodes", given, "grnod_ID");
+    } else {
+      keys.set("set", std::to_string(set), "grnod_ID");
+    }
   };
   for (const RadiossRigidBody* rigid : mains) {
     if (!rigid->inertia) {

@@ -10,6 +10,7 @@
 
 #include "radioss_hardening.hpp"
 #include "radioss_keys.hpp"
+#include "radioss_rubber.hpp"
 
 namespace pinball {
 
@@ -25,7 +26,7 @@ struct Beside {
 
 bool is_done_material(const std::string& name) {
   return name == "MAT/ELAST" || name == "MAT/RIGID" || name == "MAT/PLAS_JOHNS" || name == "MAT/HYD_JCOOK" ||
-         name == "MAT/HYDPLA" || name == "MAT/PLAS_TAB" || name == "MAT/COWPER";
+         name == "MAT/HYDPLA" || name == "MAT/PLAS_TAB" || name == "MAT/COWPER" || name == "MAT/OGDEN";
 }
 
 /// VP: 2 where it is 0.
@@ -319,8 +320,8 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   const auto keys = scene.entry<Material>("material", card_of(block, first.place));
   keys.comment(lines.title());
   keys.set("name", fmt::format("mat_{}", block.id()));
-  const bool elastic = block.name == "MAT/ELAST" || block.name == "MAT/RIGID";
-  keys.set("model", elastic ? "elastic" : "von_mises");
+  const bool elastic = block.name == "MAT/ELAST" || block.name == "MAT/RIGID", rubber = block.name == "MAT/OGDEN";
+  keys.set("model", elastic || rubber ? "elastic" : "von_mises");
   keys.set("density", density, "RHO_I");
   const bool johnson = block.name == "MAT/PLAS_JOHNS",
              hydro = block.name == "MAT/HYD_JCOOK" || block.name == "MAT/HYDPLA";
@@ -338,6 +339,7 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   if (hydro) set_hydrodynamic(data, block, lines, density, beside, keys);
   if (block.name == "MAT/PLAS_TAB") set_plas_tab(data, block, lines, keys);
   if (block.name == "MAT/COWPER") set_cowper(data, block, lines, keys);
+  if (rubber) set_ogden(data, block, lines, keys);
 }
 
 }  // namespace

@@ -15,10 +15,12 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"PENTA6", mesh, "as collapsed hexahedra"},
       {"TETRA4", mesh, "with volumes averaged over nodes"},
       {"TETRA10", mesh, "as eight of four nodes, with volumes averaged over nodes"},
+      {"BRIC20", mesh, "as eight of eight nodes"},
       {"PART", done, "a body each; parts share the nodes that they have in common"},
       {"SUBSET", mesh, "of parts and of subsets"},
       {"PROP/SOLID", done,
-       "TYPE14: Isolid 1 and 2 viscous with h/4; 24 and, in the place of full integration, 12, 14, 17, 18 as assumed "
+       "TYPE14: Isolid 1 and 2 viscous with h/4; 24 and, in the place of full integration, 12, 14, 16, 17, 18 as "
+       "assumed "
        "strains; qa, qb"},
       {"PROP/KJOINT2", done,
        "TYPE45, spherical (Type 1) or fixed (8), of a SPRING between two RBODY, exact; resistance that counts is "
@@ -33,6 +35,7 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"MAT/HYD_JCOOK", done, "LAW4, with an EOS; Pmin"},
       {"MAT/PLAS_TAB", done, "LAW36: functions over plastic strain, of several rates"},
       {"MAT/COWPER", done, "LAW44: A, B, n or Iflag 1, sigmax; rate"},
+      {"MAT/OGDEN", done, "LAW42: terms of the exponents 2 and -2"},
       {"MAT/*", rejected, "other materials; where no part with solids has it, it is reported"},
       {"EOS/GRUNEISEN", done, "of LAW3 and LAW4, at rest at the start"},
       {"EOS/POLYNOMIAL", done, "the same"},
@@ -136,7 +139,6 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"PROP/VOID", rejected, "elements without stiffness"},
       {"SHELL", rejected, "shells: solids, one or more through the thickness, in their place"},
       {"SH3N", rejected, "the same"},
-      {"BRIC20", rejected, "the same: BRICK in their place"},
       {"SHEL16", rejected, "thick shells: BRICK in their place"},
       {"QUAD", rejected, "plane and axisymmetric elements"},
       {"TRIA", rejected, "the same"},

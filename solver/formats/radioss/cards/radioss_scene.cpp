@@ -51,9 +51,11 @@ void require_one_of_each(const RadiossDeck& deck, DeckReport& report) {
 
 TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const DeckOptions& options,
                         DeckReport& report) {
-  MeshFile mesh = radioss_mesh(deck);
+  std::size_t given_nodes = 0;
+  MeshFile mesh = radioss_mesh(deck, &given_nodes);
   if (mesh.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (/BRICK), there are none");
   RadiossData data(deck, mesh, report);
+  data.given_nodes = given_nodes;
   require_one_of_each(deck, report);
   reject_of_parts(data);
   const std::vector<RadiossJoint> joints = find_radioss_joints(data);

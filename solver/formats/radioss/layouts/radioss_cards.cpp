@@ -28,6 +28,7 @@ void add_mesh(Table& table) {
   add(table, "PENTA6", {&r::penta6});
   add(table, "TETRA4", {&r::tetra4});
   add(table, "TETRA10", {&r::tetra10, &r::tetra10_nodes});
+  add(table, "BRIC20", {&r::bric20, &r::bric20_edges, &r::bric20_more});
   add(table, "PART", {&r::part});
   for (const char* keyword :
        {"SUBSET",        "GRNOD/NODE",      "GRNOD/GRNOD",  "GRNOD/GRBRIC",  "GRNOD/PART",      "GRNOD/SUBSET",
@@ -61,6 +62,9 @@ void add_materials(Table& table) {
   add(table, "MAT/COWPER",
       {&r::density, &r::cowper_elasticity, &r::cowper_hardening, &r::cowper_rate, &r::cowper_failure,
        &r::cowper_function});
+  add(table, "MAT/OGDEN",
+      {&r::density, &r::ogden_volume, &r::ogden_moduli, &r::ogden_moduli_more, &r::ogden_exponents,
+       &r::ogden_exponents_more});
   add(table, "EOS/GRUNEISEN", {&r::grueneisen, &r::grueneisen_energy});
   add(table, "EOS/POLYNOMIAL", {&r::polynomial, &r::polynomial_energy});
   add(table, "FAIL/JOHNSON", {&r::fail_johnson, &r::fail_johnson_rate, &r::fail_johnson_points});

@@ -76,6 +76,20 @@ inline constexpr CardLayout cowper_failure{real("EPS_MAX").rejected(no_deletion)
 inline constexpr CardLayout cowper_function{whole("fct_IDp").rejected("give A, B and n, or /MAT/PLAS_TAB"), blank(10),
                                             real("Fscale").reported("there is no fct_IDp")};
 
+inline constexpr CardLayout ogden_volume{real("nu", 0.495),
+                                         real("sigma_cut").rejected("there is no such limit: leave it 0"),
+                                         blank(10),
+                                         whole("funIDbulk").rejected("the bulk modulus does not change"),
+                                         real("Fscale_bulk", 1).reported("there is no funIDbulk"),
+                                         whole("M").rejected("there is no viscosity: leave it 0"),
+                                         whole("Iform", 1).from(0, 2)};
+inline constexpr CardLayout ogden_moduli{real("Mu_1"), real("Mu_2"), real("Mu_3"), real("Mu_4"), real("Mu_5")};
+inline constexpr CardLayout ogden_moduli_more{real("Mu_6"), real("Mu_7"), real("Mu_8"), real("Mu_9"), real("Mu_10")};
+inline constexpr CardLayout ogden_exponents{real("alpha_1"), real("alpha_2"), real("alpha_3"), real("alpha_4"),
+                                            real("alpha_5")};
+inline constexpr CardLayout ogden_exponents_more{real("alpha_6"), real("alpha_7"), real("alpha_8"), real("alpha_9"),
+                                                 real("alpha_10")};
+
 inline constexpr std::string_view at_rest = "leave it 0: bodies press on nothing at the start";
 inline constexpr CardLayout grueneisen{real("C").always(), real("S1"), real("S2"), real("S3"),
                                        real("P0").rejected(at_rest)};

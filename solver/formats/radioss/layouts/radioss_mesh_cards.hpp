@@ -17,6 +17,13 @@ inline constexpr CardLayout tetra10{whole("tetra_ID").always()};
 inline constexpr CardLayout tetra10_nodes{whole("node_ID1"), whole("node_ID2"), whole("node_ID3"), whole("node_ID4"),
                                           whole("node_ID5"), whole("node_ID6"), whole("node_ID7"), whole("node_ID8"),
                                           whole("node_ID9"), whole("node_ID10")};
+inline constexpr CardLayout bric20{whole("bric_ID").always(), whole("node_ID1"), whole("node_ID2"),
+                                   whole("node_ID3"),         whole("node_ID4"), whole("node_ID5"),
+                                   whole("node_ID6"),         whole("node_ID7"), whole("node_ID8")};
+inline constexpr CardLayout bric20_edges{whole("node_ID9"),  whole("node_ID10"), whole("node_ID11"),
+                                         whole("node_ID12"), whole("node_ID13"), whole("node_ID14"),
+                                         whole("node_ID15"), whole("node_ID16")};
+inline constexpr CardLayout bric20_more{whole("node_ID17"), whole("node_ID18"), whole("node_ID19"), whole("node_ID20")};
 inline constexpr CardLayout part{whole("prop_ID").always(), whole("mat_ID").always(), whole("subset_ID"),
                                  real("Thick").reported(of_shells),
                                  whole("Irigid").rejected("give an /RBODY of the nodes of the part")};

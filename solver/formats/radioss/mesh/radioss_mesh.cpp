@@ -10,6 +10,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/mesh/file/split_ten_nodes.hpp>
+#include <solver/mesh/file/split_twenty_nodes.hpp>
 #include <solver/mesh/number_index.hpp>
 #include <solver/mesh/tetrahedra.hpp>
 
@@ -22,15 +23,16 @@ namespace {
 
 /// What would make another mesh, if it were passed over.
 bool makes_mesh(const std::string& name) {
-  static const std::set<std::string> names{"BRIC20", "CNODE", "SUBMODEL", "MERGE/NODE", "MERGE/RBODY", "NODE/SCALE"};
+  static const std::set<std::string> names{"CNODE", "SUBMODEL", "MERGE/NODE", "MERGE/RBODY", "NODE/SCALE"};
   return names.contains(name) || name.starts_with("TRANSFORM/") || name.starts_with("PARAMETER/");
 }
 
 bool is_of_solids(const RadiossBlock& block) { return element_type(&ElementType::radioss, block.name) != nullptr; }
 
-/// Of the line that begins a solid. /TETRA10 has its nodes on the next.
+/// Of the line that begins a solid. /TETRA10 has its nodes on the next, /BRIC20 those of its edges on two.
 const CardLayout& layout_of(const ElementType& type) {
   if (type.nodes == 8) return radioss::brick;
+  if (type.nodes == 20) return radioss::bric20;
   if (type.nodes == 6) return radioss::penta6;
   return type.has_edge_nodes ? radioss::tetra10 : radioss::tetra4;
 }
@@ -57,9 +59,14 @@ class RadiossMeshReader {
     if (const std::int32_t twice = NumberIndex(file_.element_ids).repeated(); twice >= 0)
       fail_twice(is_of_solids, radioss::brick, "solid", file_.element_ids[twice]);
     RadiossGroups(deck_, parts_, file_, nodes_).read();
-    split_ten_nodes(file_);
+    given_nodes_ = file_.mesh.nodes.size();
+    if (const std::vector<std::int32_t> first = split_ten_nodes(file_); !first.empty()) {
+      for (TwentyNodes& one : twenty_) one.element = first[one.element];
+    }
+    split_twenty_nodes(file_, twenty_);
     return std::move(file_);
   }
+  std::size_t given_nodes() const { return given_nodes_; }
 
  private:
   std::int32_t add_part(std::int64_t id, const std::string& title) {
@@ -94,7 +101,9 @@ class RadiossMeshReader {
       file_.element_ids.push_back(f.integer(0));
       file_.part.push_back(part);
       file_.line.push_back(line->place.line);
-      if (type.shape == SolidShape::hexahedron) {
+      if (type.shape == SolidShape::hexahedron && type.has_edge_nodes) {
+        add_twenty_nodes(type, f, block, lines);
+      } else if (type.shape == SolidShape::hexahedron) {
         add_brick(f);
       } else if (type.has_edge_nodes) {
         const DataLine nodes = lines.require("the nodes of a solid");
@@ -117,6 +126,24 @@ class RadiossMeshReader {
     std::array<std::int32_t, most_nodes_of_element> nodes{};
     for (int i = 0; i < type.nodes; ++i) nodes[i] = node_of(f, 1 + i);
     append_element(file_, type, nodes);
+  }
+
+  /// On edges: four of the first face, four from it to the opposite one, four of that.
+  void add_twenty_nodes(const ElementType& type, const RadiossFields& f, const RadiossBlock& block,
+                        RadiossLines& lines) {
+    const DataLine second = lines.require("nodes 9 to 16 of a solid"),
+                   third = lines.require("nodes 17 to 20 of a solid");
+    const RadiossFields edges(second, block, radioss::bric20_edges), more(third, block, radioss::bric20_more);
+    std::array<std::int32_t, most_nodes_of_element> nodes{};
+    for (std::size_t i = 0; i < 8; ++i) nodes[i] = node_of(f, 1 + i);
+    append_element(file_, type, nodes);
+    TwentyNodes& twenty = twenty_.emplace_back();
+    twenty.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size() - 1);
+    for (std::size_t i = 0; i < 4; ++i) {
+      twenty.nodes[i] = node_of(edges, i);
+      twenty.nodes[4 + i] = node_of(more, i);
+      twenty.nodes[8 + i] = node_of(edges, 4 + i);
+    }
   }
 
   void add_ten_nodes(const RadiossFields& f) {
@@ -156,7 +183,8 @@ class RadiossMeshReader {
       RadiossLines lines(block);
       while (const auto line = lines.next_filled()) {
         const bool is_other = RadiossFields(*line, block, layout).integer(0) != number;
-        if (block.name == "TETRA10") lines.next();  // its nodes
+        if (block.name == "TETRA10" || block.name == "BRIC20") lines.next();  // its nodes
+        if (block.name == "BRIC20") lines.next();
         if (is_other) continue;
         if (first) fail_at(line->place, fmt::format("{} {} is given twice, first in {}", what, number, first->text()));
         first = line->place;
@@ -170,10 +198,17 @@ class RadiossMeshReader {
   MeshFile file_;
   NumberIndex nodes_;
   std::map<std::int64_t, std::int32_t> part_places_;
+  std::vector<TwentyNodes> twenty_;
+  std::size_t given_nodes_ = 0;
 };
 
 }  // namespace
 
-MeshFile radioss_mesh(const RadiossDeck& deck) { return RadiossMeshReader(deck).read(); }
+MeshFile radioss_mesh(const RadiossDeck& deck, std::size_t* given_nodes) {
+  RadiossMeshReader reader(deck);
+  MeshFile file = reader.read();
+  if (given_nodes != nullptr) *given_nodes = reader.given_nodes();
+  return file;
+}
 
 }  // namespace pinball

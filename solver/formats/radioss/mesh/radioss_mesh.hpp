@@ -6,7 +6,8 @@
 namespace pinball {
 
 /// The mesh of Radioss input: /NODE, /BRICK, /PART, groups and surfaces. Parts are found by their numbers. Throws
-/// InputError "FILE:LINE: ..." for what is wrong, for other solids.
-MeshFile radioss_mesh(const RadiossDeck& deck);
+/// InputError "FILE:LINE: ..." for what is wrong, for other solids. given_nodes: how many nodes the deck has; behind
+/// these come those that hexahedra of twenty nodes get.
+MeshFile radioss_mesh(const RadiossDeck& deck, std::size_t* given_nodes = nullptr);
 
 }  // namespace pinball
