@@ -16,6 +16,7 @@ std::vector<VerificationRow> verify_elastic_cycles(const Scene& scene);
 std::vector<VerificationRow> verify_coarse_impact(const Scene& scene);
 std::vector<VerificationRow> verify_crushed_block(const Scene& scene);
 std::vector<VerificationRow> verify_hugoniot(const Scene& scene);
+std::vector<VerificationRow> verify_material_laws(const Scene& scene);
 std::vector<VerificationRow> verify_patch_test(const Scene& scene);
 std::vector<VerificationRow> verify_perforated_plate(const Scene& scene);
 std::vector<VerificationRow> verify_plastic_cantilever(const Scene& scene);

@@ -25,6 +25,7 @@ const std::vector<VerificationCase>& verification_cases() {
       {"uniaxial_strain", verify_uniaxial_strain},
       {"cyclic_shear", verify_cyclic_shear},
       {"elastic_cycles", verify_elastic_cycles},
+      {"material_laws", verify_material_laws},
       {"spinning_block", verify_spinning_block},
       {"block", verify_block},
       {"plate_impact", verify_plate_impact},

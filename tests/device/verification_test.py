@@ -10,8 +10,8 @@ import sys
 
 # Where erosion in contact is decided by round-off (rod_plate, rod_oblique, perforated_plate) values are others where
 # compilers fuse others; taylor_plate and those of spheres on walls take minutes, and do what others here do.
-MOST = ("patch_test uniaxial_strain cyclic_shear elastic_cycles spinning_block block plate_impact hugoniot coarse_impact "
-        "crushed_block cantilever plastic_cantilever two_blocks taylor_bar taylor_johnson_cook taylor_tetrahedra two_bars "
+MOST = ("patch_test uniaxial_strain cyclic_shear elastic_cycles material_laws spinning_block block plate_impact hugoniot "
+        "coarse_impact crushed_block cantilever plastic_cantilever two_blocks taylor_bar taylor_johnson_cook taylor_tetrahedra two_bars "
         "sphere_sphere").split()
 PROGRAM, FOLDER, SCENES = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3:] or MOST
 

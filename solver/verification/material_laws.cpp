@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "cases.hpp"
+#include "solver_run.hpp"
+
+/// material_laws: an element of each law, and of each limit at which elements fail, in a motion that is known.
+namespace pinball {
+
+namespace {
+
+constexpr double largest_strain = 0.25;
+
+/// Where f, which rises, becomes 0 between 0 and `end`.
+double root(double end, const std::function<double(double)>& f) {
+  double low = 0, high = end;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = 0.5 * (low + high);
+    (f(middle) < 0 ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Cauchy stress of a neo-Hookean material in pure shear by the logarithmic strain k: J is 1, and zz of it 0.
+struct ElasticShear {
+  double xx, yy;
+
+  ElasticShear(const Material& m, double k)
+      : xx(m.shear_modulus * std::expm1(2 * k)), yy(m.shear_modulus * std::expm1(-2 * k)) {}
+  double effective() const { return std::sqrt(0.5 * ((xx - yy) * (xx - yy) + xx * xx + yy * yy)); }
+  double mean() const { return (xx + yy) / 3; }
+};
+
+/// Pressure of a neo-Hookean material that is pressed along z by the logarithmic strain k.
+double elastic_pressure(const Material& m, double k) {
+  const double lambda = m.bulk_modulus - 2 * m.shear_modulus / 3, j = std::exp(-k);
+  return -(m.shear_modulus * (j - 1 / j) / 3 + 0.5 * lambda * (j - 1 / j));
+}
+
+/// Effective stress after Johnson and Cook at the effective strain `end`, from rest at one rate: 3 G (E - e) = Y(e, T),
+/// rho c dT = Y de, in so many pieces, by bisection.
+struct JohnsonCookShear {
+  double stress = 0, homologous = 0;
+
+  JohnsonCookShear(const Material& m, double end, double rate) {
+    constexpr int pieces = 20'000;
+    const JohnsonCookSettings& law = *m.johnson_cook;
+    const double factor = 1 + law.rate_coefficient * std::log(std::max(1.0, rate / law.reference_rate));
+    const double range = law.melting_temperature - law.room_temperature;
+    double plastic = 0;
+    for (int i = 1; i <= pieces; ++i) {
+      const double strain = end * i / pieces, before = stress;
+      const auto heated = [&](double de) {
+        const double mean = 0.5 * (before + 3 * m.shear_modulus * (strain - plastic - de));
+        return homologous + law.heat_share * mean * de / (m.density * law.specific_heat * range);
+      };
+      const auto over = [&](double de) {
+        const double hardened = law.hardening_coefficient * std::pow(plastic + de, law.hardening_exponent);
+        const double softened = 1 - std::pow(heated(de), law.softening_exponent);
+        return (m.yield_stress + hardened) * factor * softened - 3 * m.shear_modulus * (strain - plastic - de);
+      };
+      const double de = over(0) < 0 ? root(strain - plastic, over) : 0;
+      homologous = heated(de);
+      plastic += de;
+      stress = 3 * m.shear_modulus * (strain - plastic);
+    }
+  }
+};
+
+/// Bodies of the scene by their names, which have an element each and a material of the same name.
+class Bodies {
+ public:
+  explicit Bodies(const Scene& scene) : scene_(scene) {}
+
+  std::size_t number(const std::string& name) const {
+    std::size_t i = 0;
+    while (scene_.bodies[i].name != name) ++i;
+    return i;
+  }
+  const Material& material(const std::string& name) const { return scene_.materials[number(name)]; }
+
+ private:
+  const Scene& scene_;
+};
+
+/// The logarithmic strain at which each limit is met.
+std::vector<std::pair<std::string, double>> failures(const Bodies& bodies, double speed) {
+  const double to_effective = 2 / std::sqrt(3.0);
+  const auto of = [&](const char* name) -> const Material& { return bodies.material(name); };
+  const auto elastic_root = [&](const char* name, const std::function<double(const ElasticShear&)>& over) {
+    return root(largest_strain, [&](double k) { return over(ElasticShear(of(name), k)); });
+  };
+  const Material &strain = of("plastic_strain"), &damage = of("damage");
+  const std::vector<double>& d = damage.johnson_cook->failure;
+  const double rate = to_effective * speed / damage.johnson_cook->reference_rate;
+  const double ductility = (d[0] + d[1]) * (1 + d[3] * std::log(rate));  // without a mean stress
+  const auto with_elastic = [&](double plastic, const Material& m) {
+    return (plastic + m.yield_stress / (3 * m.shear_modulus)) / to_effective;
+  };
+  const Material& pressed = of("compression");
+  return {
+      {"plastic_strain", with_elastic(strain.erosion_strain, strain)},
+      {"damage", with_elastic(ductility, damage)},
+      {"principal_strain", of("principal_strain").erosion->principal_strain},
+      {"shear_strain", of("shear_strain").erosion->shear_strain},
+      {"principal_stress",
+       elastic_root("principal_stress",
+                    [&](const ElasticShear& s) { return s.xx - of("principal_stress").erosion->principal_stress; })},
+      {"effective_stress", elastic_root("effective_stress",
+                                        [&](const ElasticShear& s) {
+                                          return s.effective() - of("effective_stress").erosion->effective_stress;
+                                        })},
+      {"tension",
+       elastic_root("tension", [&](const ElasticShear& s) { return s.mean() - of("tension").erosion->tension; })},
+      {"time", of("time").erosion->time * speed},
+      {"compression",
+       root(largest_strain, [&](double k) { return elastic_pressure(pressed, k) - pressed.erosion->compression; })},
+  };
+}
+
+/// What elements of laws have at the end, beside what they should. step: the largest logarithmic strain of one.
+std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bodies& bodies, double speed,
+                                          double step) {
+  const double k = largest_strain, to_effective = 2 / std::sqrt(3.0), of_increments = 4 * step * step / 12;
+  const auto difference = [&](const char* name) {
+    const std::array<double, 6> s = stress_of(solver, bodies.number(name));
+    return s[0] - s[1];
+  };
+  const auto row = [&](const char* name, double exact, double tolerance, const char* source) {
+    return compare(fmt::format("difference of principal stresses at the end [Pa], {}", name), difference(name), exact,
+                   tolerance, source);
+  };
+  const Material &power = bodies.material("power"), &rubber = bodies.material("mooney_rivlin"),
+                 &fluid = bodies.material("fluid"), &copper = bodies.material("johnson_cook");
+  const PowerHardeningSettings& law = *power.power_hardening;
+  const double begin = std::pow(power.yield_stress / law.coefficient, 1 / law.exponent), strain = to_effective * k;
+  const double plastic = root(strain, [&](double e) {
+    return law.coefficient * std::pow(begin + e, law.exponent) - 3 * power.shear_modulus * (strain - e);
+  });
+  // sigma = 2/J (p I + (A + B tr b - 2 B) b - B b^2) where J = 1
+  const double a = std::exp(2 * k), b = 1 / a, trace = a + b + 1;
+  const MooneyRivlinSettings& mooney = *rubber.mooney_rivlin;
+  const double drawn = 2 * ((mooney.a + mooney.b * trace) * (a - b) - mooney.b * (a * a - b * b));
+  const JohnsonCookShear heated(copper, strain, to_effective * speed);
+  const JohnsonCookSettings& jc = *copper.johnson_cook;
+  const double of_heat = heated.stress * to_effective * step /
+                         (copper.density * jc.specific_heat * (jc.melting_temperature - jc.room_temperature));
+  const double slope = jc.softening_exponent * std::pow(heated.homologous, jc.softening_exponent - 1) /
+                       (1 - std::pow(heated.homologous, jc.softening_exponent));
+  return {
+      row("power", to_effective * law.coefficient * std::pow(begin + plastic, law.exponent), of_increments,
+          "K (e_0 + e)^n, by bisection"),
+      // The temperature is that of the beginning of a step.
+      row("johnson_cook", to_effective * heated.stress, of_increments + slope * of_heat,
+          "3 G (E - e) = Y(e, T), rho c dT = Y de in 20,000 pieces"),
+      row("mooney_rivlin", drawn, 1e-11, "closed form in the deformation gradient"),
+      row("fluid", 4 * fluid.fluid->viscosity * speed, of_increments, "2 eta D"),
+  };
+}
+
+}  // namespace
+
+std::vector<VerificationRow> verify_material_laws(const Scene& scene) {
+  const Bodies bodies(scene);
+  const double speed = largest_strain / scene.time.end;
+  const double pressed_from = scene.bodies[bodies.number("compression")].position[0] - 0.005;
+  Solver<double> solver(scene);
+  PrescribedMotion motion(solver, [=](const Point& x, double t) {
+    const double k = speed * t;
+    if (x[0] > pressed_from) return Point{x[0], x[1], std::exp(-k) * x[2]};
+    return Point{std::exp(k) * x[0], std::exp(-k) * x[1], x[2]};
+  });
+  const Model<double>& model = std::as_const(solver).model();
+  const auto limits = failures(bodies, speed);
+  std::vector<double> failed(limits.size(), 0.0), steps(limits.size(), 1.0);
+  double before = 0, largest_step = 0;
+  const auto check = [&] {
+    const double k = speed * solver.force_time();
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      const std::int64_t slot = model.slot_of_element[bodies.number(limits[i].first)];
+      if (failed[i] > 0 || model.elements.alive(slot)) continue;
+      failed[i] = k;
+      steps[i] = k - before;
+    }
+    largest_step = std::max(largest_step, k - before);
+    before = k;
+  };
+  while (!solver.at_end()) {
+    motion.step();
+    check();
+  }
+  motion.step();  // of no length
+  check();
+
+  std::vector<VerificationRow> rows = rows_of_laws(solver, bodies, speed, largest_step);
+  for (std::size_t i = 0; i < limits.size(); ++i) {  // it is seen at the end of a step that it is passed in
+    rows.push_back(compare(fmt::format("strain at failure, {}", limits[i].first), failed[i], limits[i].second,
+                           steps[i] / limits[i].second + 1e-6, "closed form, the step in which it is passed"));
+  }
+  return rows;
+}
+
+}  // namespace pinball
