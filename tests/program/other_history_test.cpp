@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -129,12 +131,83 @@ TEST_F(OtherHistories, WhatIsNoHistoryIsNamedWithItsLine) {
   EXPECT_THAT(problem("time,a\nx,1\n1,2\n"), HasSubstr("history:2: expected 2 numbers"));
   EXPECT_THAT(problem("time,a\n0,1\n"), HasSubstr("expected two times at least, got 1"));
   EXPECT_THAT(problem(" time.....  soon\n"), HasSubstr("history:1: expected a time, got soon"));
-  EXPECT_THAT(problem(std::string("\0\0T01", 5)), HasSubstr("th_to_csv"));
+  EXPECT_THAT(problem(std::string("\0\0T01", 5)), HasSubstr("T01 file of Radioss, got another binary file"));
   EXPECT_THROW(read_other_history(folder_ / "none"), InputError);
 }
 
 TEST_F(OtherHistories, AFileThatIsStillWrittenEndsWithItsLastWholeLine) {
   EXPECT_THAT(read("time,a,b\n0,1,2\n1,2,3\n2,3").times, ElementsAre(0, 1));
+}
+
+/// A T01 file: records of big-endian words, which begin and end with their length in bytes.
+class T01 {
+ public:
+  template <class... Words>
+  T01& record(const Words&... words) {
+    const std::string own = (word(words) + ...);
+    bytes += word(static_cast<std::int32_t>(own.size())) + own + word(static_cast<std::int32_t>(own.size()));
+    return *this;
+  }
+
+  std::string bytes;
+
+ private:
+  static std::string word(std::uint32_t value) {
+    std::string text;
+    for (unsigned shift = 32; shift > 0; shift -= 8) text += static_cast<char>(value >> (shift - 8) & 0xFFU);
+    return text;
+  }
+  static std::string word(std::int32_t value) { return word(static_cast<std::uint32_t>(value)); }
+  static std::string word(float value) { return word(std::bit_cast<std::uint32_t>(value)); }
+  static std::string word(const std::string& text) { return text; }
+};
+
+/// Of two parts, a subset, and two nodes of a group, behind a group of something else.
+T01 t01_head(std::int32_t code, std::size_t title) {
+  const std::string name(title, ' '), line(80, ' ');
+  T01 file;
+  file.record(code, line).record(line);
+  if (code > 3050) file.record(2).record(100).record(1.0F, 1.0F, 1.0F);
+  file.record(2, 1, 1, 1, 2, 4).record(1, 2, 8, 3);                               // counts; global quantities
+  file.record(1, name, 0, 1, 1, 0).record(2, name, 0, 1, 1, 2).record(1, 2);      // parts
+  file.record(1, name).record(1, name).record(0, 0, 0, 2, 0, name).record(1, 2);  // material, property, subset
+  file.record(4, 6, 0, 1, 1, name).record(30, name).record(65);                   // a spring
+  return file.record(2, 0, 0, 2, 3, name).record(5, name).record(6, name).record(1, 6, 9);
+}
+void add_state(T01& file, float t) {
+  file.record(t).record(3 * t, 2 * t, t, 5.0F).record(7.0F, 8.0F).record(9.0F);
+  file.record(t, 2 * t, 3 * t, 10 * t, 20 * t, 30 * t);
+}
+
+TEST_F(OtherHistories, AT01HasEnergiesAndNodes) {
+  for (const auto& [code, title] : {std::pair<std::int32_t, std::size_t>{3040, 40}, {3041, 80}, {4021, 100}}) {
+    T01 file = t01_head(code, title);
+    for (const float t : {0.0F, 0.5F, 1.0F}) add_state(file, t);
+    const OtherHistory read_back = read(file.bytes);
+    EXPECT_EQ(read_back.kind, "T01 of Radioss");
+    EXPECT_THAT(read_back.times, ElementsAre(0, 0.5, 1)) << code;
+    EXPECT_THAT(curve(read_back, "INTERNAL ENERGY").values, ElementsAre(0, 1.5, 3));
+    EXPECT_THAT(curve(read_back, "KINETIC ENERGY").values, ElementsAre(0, 1.5, 3));  // with that of rotations
+    EXPECT_THAT(curve(read_back, "X-MOMENTUM").values, ElementsAre(5, 5, 5));
+    EXPECT_THAT(curve(read_back, "node_5_displacement_x").values, ElementsAre(0, 0.5, 1));
+    EXPECT_THAT(curve(read_back, "node_6_velocity_z").values, ElementsAre(0, 10, 20));
+    EXPECT_EQ(read_back.curves.size(), 7U);  // no accelerations
+    const std::string whole = file.bytes;
+    for (std::size_t cut = 1; cut < 40; ++cut)
+      EXPECT_THAT(read(whole.substr(0, whole.size() - cut)).times, ElementsAre(0, 0.5)) << cut;
+  }
+}
+
+TEST_F(OtherHistories, AT01ThatIsWrongIsNamedWithItsByte) {
+  T01 file = t01_head(4021, 100);
+  EXPECT_THAT(problem(file.bytes), HasSubstr("expected two times at least, got 0"));
+  EXPECT_THAT(problem(file.bytes.substr(0, 300)), HasSubstr("byte 280: expected a part"));
+  std::string many = file.bytes;
+  many[file.bytes.find(std::string("\0\0\0\x18", 4)) + 4] = '\x7F';  // a count of parts
+  EXPECT_THAT(problem(many), HasSubstr("expected a count"));
+  add_state(file, 0.0F);
+  file.record(1.0F).record(1.0F);
+  EXPECT_THAT(problem(file.bytes), HasSubstr("expected a longer record of a state"));
 }
 
 /// Here 2 t at the times 0, 1, 2; there t, at other times.

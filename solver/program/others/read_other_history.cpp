@@ -4,7 +4,9 @@
 #include <cctype>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <string_view>
+#include <utility>
 
 #include <solver/base/error.hpp>
 #include <solver/formats/deck/number_text.hpp>
@@ -12,6 +14,7 @@
 #include "history_rows.hpp"
 #include "other_history.hpp"
 #include "read_calculix.hpp"
+#include "read_t01.hpp"
 
 namespace pinball {
 
@@ -182,30 +185,42 @@ void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
   }
 }
 
+std::vector<std::string> lines_of(const std::string& bytes) {
+  std::vector<std::string> lines;
+  std::istringstream text(bytes);
+  for (std::string line; std::getline(text, line); lines.push_back(std::move(line))) {
+  }
+  return lines;
+}
+
 }  // namespace
 
 OtherHistory read_other_history(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(fmt::format("{}: cannot be read", path));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line); lines.push_back(std::move(line))) {
-    if (line.find('\0') == std::string::npos) continue;
-    throw InputError(fmt::format(
-        "{}: expected text, got a binary file. LS-DYNA's l2a makes glstat and nodout of a binout, OpenRadioss' "
-        "th_to_csv a table of a T01 file",
-        path));
-  }
+  std::ostringstream all;
+  all << file.rdbuf();
+  const std::string bytes = std::move(all).str();
   OtherHistory history{path, "", {}, {}};
-  if (is_glstat(lines)) {
+  std::size_t least = 2;
+  if (is_t01(bytes)) {
+    read_t01(bytes, history);
+  } else if (bytes.find('\0') != std::string::npos) {
+    throw InputError(
+        fmt::format("{}: expected text or a T01 file of Radioss, got another binary file. LS-DYNA's l2a makes glstat "
+                    "and nodout of a "
+                    "binout",
+                    path));
+  } else if (const std::vector<std::string> lines = lines_of(bytes); is_glstat(lines)) {
     read_glstat(lines, history);
   } else if (is_nodout(lines)) {
     read_nodout(lines, history);
   } else if (is_calculix_dat(lines)) {
     read_calculix_dat(lines, history);
+    least = 1;  // one state is enough to be laid beside the last one
   } else {
     read_table(lines, history);
   }
-  const std::size_t least = is_calculix_dat(lines) ? 1 : 2;  // one state is enough to be laid beside the last one
   if (history.times.size() < least) {
     throw InputError(fmt::format("{}: expected two times at least, got {}", path, history.times.size()));
   }
