@@ -164,12 +164,12 @@ void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
       "--vary", options.vary,
       "KEY=V1,V2,...: runs the scene with each value; several --vary: with all combinations, the first one "
       "being what the others are compared with (default: contact.method=pinball,slideline)"));
-  repeated(
-      command.add_option("--with", options.with,
-                         "a history that another program has written of the same model: LS-DYNA's glstat or nodout, "
-                         "CalculiX' .dat, OpenRadioss' T01, a table of its th_to_csv, of Abaqus, of anything with a "
-                         "line of names; without "
-                         "--vary the scene runs once, as it is"))
+  repeated(command.add_option(
+               "--with", options.with,
+               "a history that another program has written of the same model: LS-DYNA's glstat, nodout or binout, "
+               "CalculiX' .dat, OpenRadioss' T01, a table of its th_to_csv, of Abaqus, of anything with a "
+               "line of names; without "
+               "--vary the scene runs once, as it is"))
       ->type_name("FILE")
       ->check(check_not_empty);
   command.add_option("--repeat", options.repeats, "runs all so often; times are medians (default: 3, with --with 1)")

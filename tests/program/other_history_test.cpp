@@ -131,7 +131,7 @@ TEST_F(OtherHistories, WhatIsNoHistoryIsNamedWithItsLine) {
   EXPECT_THAT(problem("time,a\nx,1\n1,2\n"), HasSubstr("history:2: expected 2 numbers"));
   EXPECT_THAT(problem("time,a\n0,1\n"), HasSubstr("expected two times at least, got 1"));
   EXPECT_THAT(problem(" time.....  soon\n"), HasSubstr("history:1: expected a time, got soon"));
-  EXPECT_THAT(problem(std::string("\0\0T01", 5)), HasSubstr("T01 file of Radioss, got another binary file"));
+  EXPECT_THAT(problem(std::string("\0\0T01", 5)), HasSubstr("or a T01 file of Radioss, got another binary file"));
   EXPECT_THROW(read_other_history(folder_ / "none"), InputError);
 }
 
@@ -208,6 +208,71 @@ TEST_F(OtherHistories, AT01ThatIsWrongIsNamedWithItsByte) {
   add_state(file, 0.0F);
   file.record(1.0F).record(1.0F);
   EXPECT_THAT(problem(file.bytes), HasSubstr("expected a longer record of a state"));
+}
+
+/// A binout: lengths of eight bytes, commands and types of one; of either order of bytes.
+class Binout {
+ public:
+  explicit Binout(bool big) : big_(big) {
+    bytes = std::string("\x8\x8\x8\x1\x1", 5) + static_cast<char>(big ? 0 : 1) + std::string(2, '\0');
+    record(7, std::string(8, '\0'));
+  }
+  Binout& folder(const std::string& path) { return record(2, path); }
+  Binout& put(const std::string& name, const std::vector<float>& values) {
+    std::string data;
+    for (const float value : values) data += word(std::bit_cast<std::uint32_t>(value), 4);
+    return record(3, std::string(1, '\x9') + static_cast<char>(name.size()) + name + data);
+  }
+  Binout& put(const std::string& name, double value) {
+    return record(3, std::string(1, '\xA') + static_cast<char>(name.size()) + name +
+                         word(std::bit_cast<std::uint64_t>(value), 8));
+  }
+  Binout& numbers(const std::string& name, const std::vector<std::uint32_t>& values) {
+    std::string data;
+    for (const std::uint32_t value : values) data += word(value, 4);
+    return record(3, std::string(1, '\x3') + static_cast<char>(name.size()) + name + data);
+  }
+
+  std::string bytes;
+
+ private:
+  Binout& record(char command, const std::string& data) {
+    bytes += word(9 + data.size(), 8) + command + data;
+    return *this;
+  }
+  std::string word(std::uint64_t value, std::size_t size) const {
+    std::string text;
+    for (std::size_t i = 0; i < size; ++i) text += static_cast<char>(value >> 8 * (big_ ? size - 1 - i : i) & 0xFFU);
+    return text;
+  }
+
+  bool big_;
+};
+
+TEST_F(OtherHistories, ABinoutHasGlstatAndNodout) {
+  for (const bool big : {false, true}) {
+    Binout file(big);
+    file.folder("/").folder("/nodout/metadata").numbers("ids", {5, 6});
+    for (int i = 1; i <= 3; ++i) {
+      const float t = 0.5F * static_cast<float>(i);
+      file.folder(fmt::format("/glstat/d{:06}", i)).put("time", t).put("kinetic_energy", {2 * t}).numbers("cycle", {7});
+      file.put("energy_ratio", {1});
+      if (i == 2) continue;  // written at other times
+      file.folder(fmt::format("../../nodout/d{:06}", i)).put("time", {t}).put("x_displacement", {t, 10 * t});
+      file.put("z_velocity", {3 * t, 4 * t}).put("rx_displacement", {1, 1});
+    }
+    file.folder("/");  // the end of the last state
+    const OtherHistory all = read(file.bytes);
+    EXPECT_EQ(all.kind, "binout of LS-DYNA");
+    EXPECT_THAT(all.times, ElementsAre(0.5, 1, 1.5));
+    EXPECT_THAT(curve(all, "kinetic_energy").values, ElementsAre(1, 2, 3));
+    EXPECT_THAT(curve(all, "kinetic_energy").meaning.columns, ElementsAre("kinetic", "kinetic_below_zero"));
+    EXPECT_TRUE(curve(all, "energy_ratio").meaning.columns.empty());
+    EXPECT_THAT(curve(all, "node_6_displacement_x").values, ElementsAre(5, testing::IsNan(), 15));
+    EXPECT_THAT(curve(all, "node_5_velocity_z").values, ElementsAre(1.5, testing::IsNan(), 4.5));
+    EXPECT_EQ(read(file.bytes.substr(0, file.bytes.size() - 12)).times.size(), 3U);  // its last record is not whole
+    EXPECT_THAT(problem(file.bytes + std::string(9, '\0')), HasSubstr("expected the length of a record, got 0"));
+  }
 }
 
 /// Here 2 t at the times 0, 1, 2; there t, at other times.

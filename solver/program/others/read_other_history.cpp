@@ -13,6 +13,7 @@
 
 #include "history_rows.hpp"
 #include "other_history.hpp"
+#include "read_binout.hpp"
 #include "read_calculix.hpp"
 #include "read_t01.hpp"
 
@@ -205,12 +206,11 @@ OtherHistory read_other_history(const std::string& path) {
   std::size_t least = 2;
   if (is_t01(bytes)) {
     read_t01(bytes, history);
+  } else if (is_binout(bytes)) {
+    read_binout(bytes, history);
   } else if (bytes.find('\0') != std::string::npos) {
     throw InputError(
-        fmt::format("{}: expected text or a T01 file of Radioss, got another binary file. LS-DYNA's l2a makes glstat "
-                    "and nodout of a "
-                    "binout",
-                    path));
+        fmt::format("{}: expected text, a binout of LS-DYNA or a T01 file of Radioss, got another binary file", path));
   } else if (const std::vector<std::string> lines = lines_of(bytes); is_glstat(lines)) {
     read_glstat(lines, history);
   } else if (is_nodout(lines)) {
