@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <string_view>
@@ -105,6 +106,7 @@ class BinoutReader {
       nodes_ = ids->second;
     const auto time = arrays.find("time");
     if (time == arrays.end() || time->second.size() != 1) return;
+    if (!std::isfinite(time->second[0])) throw InputError(fmt::format("{}: {}: expected finite times", path_, folder_));
     std::map<std::string, double>& state = states_[time->second[0]];
     if (folder_.starts_with("/glstat/")) {
       for (const auto& [name, values] : arrays) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -239,7 +240,9 @@ void read_t01(const std::string& bytes, OtherHistory& history) {
   const Head head = read_head(records);
   Rows rows(history);
   while (const std::optional<State> state = next_state(records, head)) {
-    rows.begin(state->time->number(0));
+    const double time = state->time->number(0);
+    if (!std::isfinite(time)) records.fail("finite times");
+    rows.begin(time);
     if (state->global) set_global(head, *state->global, rows);
     for (std::size_t g = 0; g < head.groups.size(); ++g) set_nodes(head.groups[g], *state->groups[g], rows);
   }
