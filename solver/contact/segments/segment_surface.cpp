@@ -274,7 +274,7 @@ void SegmentSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>& s
   }
   archive.of_fixed_size(faces);
   for (std::size_t slot = 0; archive.reads() && slot < faces.size(); ++slot) {
-    archive.require(faces[slot] == 0 || (faces[slot] < 64 && source.is_element(slot)));
+    archive.require(faces[slot] == 0 || (faces[slot] < 64 && source.is_element(slot) && !source.element(slot).sphere));
   }
   if (archive.reads()) collect_faces(source, faces);
   archive(chosen_, changed_);
