@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "../gather.hpp"
 #include "external_work.hpp"
 
 namespace pinball {
@@ -22,6 +23,26 @@ struct NodeArrays {
     return single_element_mass != nullptr ? single_element_mass[place] > 0 : element_mass[place] > S(0);
   }
 };
+
+/// What the nodes first ... first + width_of<T> - 1 have in an array with one number of each.
+template <class T>
+PINBALL_FUNCTION T numbers_from(const ScalarOf<T>* array, std::int64_t first) {
+  if constexpr (width_of<T> == 1) {
+    return array[first];
+  } else {
+#if !defined(PINBALL_DEVICE_COMPILER)
+    return T(array + first, stdx::element_aligned);
+#endif
+  }
+}
+
+/// The vectors that they have in records of four.
+template <class T>
+PINBALL_FUNCTION Vec3<T> vectors_from(const ScalarOf<T>* records, std::int64_t first) {
+  constexpr std::int32_t number[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  static_assert(width_of<T> <= 16);
+  return gather_vectors<T>(record(records, first), number);
+}
 
 /// Work of a force on node n, one of all those whose sum is in nodes.force.
 template <class S>

@@ -36,7 +36,7 @@ struct WallNodes {
   std::int64_t plain;         ///< how many of them have none
   const S* free;              ///< projections of the normal, three numbers for each of the last nodes
   S* reaction;                ///< per node [force]
-  S* drag;                    ///< friction, three numbers per node; null: there is none [force]
+  S* drag;                    ///< friction, three numbers per node with a reaction; null: there is none [force]
 };
 
 /// What nodes would do to a wall that ends the step with some velocity.
@@ -121,6 +121,46 @@ PINBALL_FUNCTION S wall_rate(const NodeArrays<S>& nodes, const WallPlane<S>& wal
   return rate;
 }
 
+/// What the gap of nodes after the step is made of, along the normal of a wall.
+template <class T>
+struct WallGap {
+  T height, rise;  ///< above the plane; up from there within the step
+  T size;          ///< of all that is added up
+
+  /// The part along axis k of nodes with these places, ways by velocity and ways by force.
+  PINBALL_FUNCTION void add(const WallPlane<ScalarOf<T>>& wall, int k, const T& x, const T& by_velocity,
+                            const T& by_force) {
+    const T normal(wall.normal[k]), from = normal * (x - T(wall.point[k]));
+    const T coasting = normal * by_velocity, pushed = normal * by_force;
+    height += from;
+    rise += coasting + pushed;
+    size += absolute(from) + absolute(coasting) + absolute(pushed);
+  }
+};
+
+/// Whether all nodes of a pack are so far from a wall that StopAtWall has nothing to do for them: neither behind it
+/// after the step, nor after two more like it. Not where rounding alone might say so, not of what is no number, nor
+/// where nodes do not lie in a row. node: width_of<T> of them, ascending.
+template <class T>
+PINBALL_FUNCTION bool wall_is_far(const NodeArrays<ScalarOf<T>>& nodes, const WallPlane<ScalarOf<T>>& wall,
+                                  const std::int32_t* node, const WallStep<ScalarOf<T>>& step) {
+  using S = ScalarOf<T>;
+  constexpr int last = width_of<T> - 1;
+  if (node[last] - node[0] != last) return false;
+  const std::int64_t first = node[0];
+  const Vec3<T> x = vectors_from<T>(nodes.position, first), v = vectors_from<T>(nodes.velocity, first),
+                f = vectors_from<T>(nodes.force, first);
+  const T dt(step.position), mobility = T(step.position * step.velocity) * numbers_from<T>(nodes.inverse_mass, first);
+  WallGap<T> of{T(0), T(0), T(absolute(step.after) + absolute(step.before))};
+  of.add(wall, 0, x.x, dt * v.x, mobility * f.x);
+  of.add(wall, 1, x.y, dt * v.y, mobility * f.y);
+  of.add(wall, 2, x.z, dt * v.z, mobility * f.z);
+  const T gap = of.height + of.rise - T(step.after);
+  const T later = gap + T(2) * of.rise - T(S(2) * (step.after - step.before));
+  const T room = T(sizeof(S) == 8 ? S(0x1p-46) : S(0x1p-17)) * of.size;  // 64 times the last digit
+  return !any_lane(!(gap > room && later > room));
+}
+
 /// Force that stops a node across the normal, as far as friction allows it. f: all other forces on the node.
 template <class S>
 PINBALL_OUTLINED void wall_drag(const WallPlane<S>& wall, S reaction, const S* v, const S* f, S velocity_step,
@@ -143,11 +183,17 @@ PINBALL_OUTLINED void wall_drag(const WallPlane<S>& wall, S reaction, const S* v
 /// Sums up what the nodes do to a wall that ends up at step.after.
 template <class S>
 struct PushWall {
+  using Number = S;
+
   NodeArrays<S> nodes;
   WallPlane<S> wall;
   WallNodes<S> of;
   WallStep<S> step;
 
+  template <class T>
+  PINBALL_FUNCTION bool passes(std::int64_t first) const {
+    return wall_is_far<T>(nodes, wall, of.nodes + first, step);
+  }
   PINBALL_FUNCTION void operator()(std::int64_t i, WallPush& sum) const {
     const auto node = std::int64_t(of.nodes[i]);
     const double depth = step.after - wall_gap(nodes, wall, node, step);
@@ -164,11 +210,19 @@ struct PushWall {
 /// Sets the reactions on the nodes of a wall and adds them to their forces.
 template <class S>
 struct StopAtWall {
+  using Number = S;
+
   NodeArrays<S> nodes;
   WallPlane<S> wall;
   WallNodes<S> of;
   WallStep<S> step;
 
+  template <class T>
+  PINBALL_FUNCTION bool passes(std::int64_t first) const {
+    if (!wall_is_far<T>(nodes, wall, of.nodes + first, step)) return false;
+    store(T(0), of.reaction + first);
+    return true;
+  }
   PINBALL_FUNCTION void operator()(std::int64_t i, WallStop& sum) const {
     const auto node = std::int64_t(of.nodes[i]);
     const S *x = nodes.position + 4 * node, *v = nodes.velocity + 4 * node;
@@ -205,11 +259,17 @@ struct StopAtWall {
 /// Sums up the work of the reactions that StopAtWall has set.
 template <class S>
 struct WorkOfWall {
+  using Number = S;
+
   NodeArrays<S> nodes;
   WallPlane<S> wall;
   WallNodes<S> of;
   StepLengths step;
 
+  template <class T>
+  PINBALL_FUNCTION bool passes(std::int64_t first) const {
+    return !any_lane(!(load<T>(of.reaction + first) == T(0)));
+  }
   PINBALL_FUNCTION void operator()(std::int64_t i, ExternalWork& sum) const {
     if (of.reaction[i] == S(0)) return;
     const S* d = wall_direction(wall, of, i);

@@ -8,6 +8,8 @@
 #include <kernels/exec.hpp>
 #include <solver/parallel/shared_nodes.hpp>
 
+#include "sums_in_packs.hpp"
+
 /// What loops of boundary conditions have in common.
 namespace pinball {
 
@@ -60,17 +62,21 @@ template <class Space, class Functor, class Value>
 void add_sum(const char* name, std::int64_t count, const Functor& functor, Value& sum,
              const SharedList& shared = nullptr) {
   Value own{};
-  if (shared == nullptr) {
-    parallel_reduce(name, RangePolicy<Space>{0, count}, functor, own);
-  } else if constexpr (on_host<Space>) {
-    const std::int64_t pieces = shared->count();
+  if constexpr (on_host<Space>) {
+    const std::int64_t pieces = sum_pieces(count);
     Array<Value> partial;
     partial.reset(pieces);
-    const PartialSums<Value, Functor> sums{0, count, pieces, partial.data(), functor};
-    for (const SharedBlocks::Run& run : shared->worked())
-      parallel_for(name, RangePolicy<Space>{run.begin, run.end}, sums);
-    shared->gather(partial.data());
+    const SumsOfHost<Value, Functor> sums{0, count, pieces, partial.data(), functor};
+    if (shared == nullptr) {
+      parallel_for(name, RangePolicy<Space>{0, pieces}, sums);
+    } else {
+      for (const SharedBlocks::Run& run : shared->worked())
+        parallel_for(name, RangePolicy<Space>{run.begin, run.end}, sums);
+      shared->gather(partial.data());
+    }
     own = sum_of_piece<Value>({0, pieces}, [&](std::int64_t p, Value& whole) { join_to(whole, partial[p]); });
+  } else {
+    parallel_reduce(name, RangePolicy<Space>{0, count}, functor, own);
   }
   join_to(sum, own);
 }
