@@ -15,9 +15,12 @@ struct NodeSteps {
   S velocity, position, energy;
 };
 
-/// Of the nodes of a span; there once in machine code, whoever adds up the spans.
+/// Of the nodes of a span; there once in machine code, whoever adds up the spans. The energy is no value that is
+/// returned: GCC 12 would add it up where it can be taken apart for that, in memory, and each node would wait for the
+/// one before.
 template <class S>
-PINBALL_ONE_COPY MotionEnergy integrate_span(Model<S>& model, std::int64_t span, const NodeSteps<S>& steps) {
+PINBALL_ONE_COPY void integrate_span(Model<S>& model, std::int64_t span, const NodeSteps<S>& steps,
+                                     MotionEnergy& energy) {
   const std::int64_t begin = span * nodes_per_span;
   const std::int64_t end = std::min<std::int64_t>(model.nodes.count, begin + nodes_per_span);
   // Locals: as far as the compiler knows, stores to the arrays might change anything that is reached by reference.
@@ -32,7 +35,7 @@ PINBALL_ONE_COPY MotionEnergy integrate_span(Model<S>& model, std::int64_t span,
     sum.add(mass[n], integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, inverse_mass[n], velocity_step,
                                     position_step, energy_step));
   }
-  return sum;
+  energy = sum;
 }
 
 /// of_span(span): of each span that is due.
@@ -57,9 +60,12 @@ MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLen
                              const Subdomain<S>* domain) {
   const auto position_step = static_cast<S>(step.after);
   const auto integrate = [&](std::int64_t span) {
-    return integrate_span(
+    MotionEnergy energy;
+    integrate_span(
         model, span,
-        NodeSteps<S>{static_cast<S>(step.velocity()), position_step * due.steps(span), static_cast<S>(step.before)});
+        NodeSteps<S>{static_cast<S>(step.velocity()), position_step * due.steps(span), static_cast<S>(step.before)},
+        energy);
+    return energy;
   };
   const std::int64_t spans = span_count(model.nodes.count);
   if (domain == nullptr) return sum_of_spans(spans, due, integrate);

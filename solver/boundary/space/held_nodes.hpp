@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "boundary_kernels.hpp"
@@ -26,7 +27,9 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
   void set(const std::vector<NodeConstraint<S>>& constraints, const std::vector<NodePrescription<S>>& prescribed,
            bool keeps) override {
     constraints_ = list_in<Space>(constraints);
-    first_held_ = list_in<Space>(first_of_nodes(constraints));
+    const std::vector<std::int32_t> first_held = first_of_nodes(constraints);
+    first_held_ = list_in<Space>(first_held);
+    find_spans(constraints, first_held);
     prescribed_ = list_in<Space>(prescribed);
     first_moved_ = list_in<Space>(first_of_nodes(prescribed));
     reaction_.reset(prescribed.size());
@@ -47,9 +50,15 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
   void constrain(const NodeArrays<S>& nodes, double velocity_step, const DueSpans& due) override {
     const DueNodes due_nodes{due.level_of_span == nullptr ? nullptr : due.level_of_span->data(), nodes_per_span,
                              due.level};
-    for_each<Space>("constraints", count(first_held_),
-                    ConstrainNodes<S>{nodes, constraints_.data(), first_held_.data(), due_nodes, velocity_step,
-                                      held_.empty() ? nullptr : held_.data()});
+    const ConstrainNodes<S> constrain{nodes,     constraints_.data(), first_held_.data(),
+                                      due_nodes, velocity_step,       held_.empty() ? nullptr : held_.data()};
+    if constexpr (on_host<Space>) {
+      if (due.level_of_span != nullptr) {
+        constrain_spans(constrain, due);
+        return;
+      }
+    }
+    for_each<Space>("constraints", count(first_held_), constrain);
   }
   void prescribe(const NodeArrays<S>& nodes, const std::vector<double>& factors, double velocity_step) override {
     factor_.renew(factors.size());
@@ -87,6 +96,23 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
   }
 
  private:
+  void find_spans(const std::vector<NodeConstraint<S>>& constraints, const std::vector<std::int32_t>& first) {
+    first_of_span_.assign(1, 0);
+    for (std::int32_t i = 0; i + 1 < std::ssize(first); ++i) {
+      const std::size_t span = constraints[first[i]].node / nodes_per_span;
+      first_of_span_.resize(std::max(first_of_span_.size(), span + 1), i);
+    }
+    first_of_span_.push_back(first.empty() ? 0 : static_cast<std::int32_t>(first.size()) - 1);
+  }
+  /// The same where not all nodes are due: a span at a time.
+  void constrain_spans(const ConstrainNodes<S>& of, const DueSpans& due) const {
+    ConstrainNodes<S> constrain = of;
+    constrain.due = {};
+    parallel_for("constraints", RangePolicy<Space>{0, std::ssize(first_of_span_) - 1}, [&](std::int64_t span) {
+      if (!due.contain(span)) return;
+      for (std::int32_t i = first_of_span_[span]; i < first_of_span_[span + 1]; ++i) constrain(i);
+    });
+  }
   template <class Entry>
   std::vector<std::int32_t> owners(const std::vector<Entry>& list) const {
     std::vector<std::int32_t> owner;
@@ -108,7 +134,8 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
   std::vector<std::int32_t> owner_moved_, owner_held_;  ///< ranks of prescribed_, and of constraints_ if held_ is kept
   bool is_kept_ = false;                                ///< share_forces, with the state
   Array<NodeConstraint<S>, Memory> constraints_;
-  Array<std::int32_t, Memory> first_held_;  ///< per held node and one more: its constraints
+  Array<std::int32_t, Memory> first_held_;   ///< per held node and one more: its constraints
+  std::vector<std::int32_t> first_of_span_;  ///< per span up to the last with a held node, and one more: in first_held_
   Array<NodePrescription<S>, Memory> prescribed_;
   Array<std::int32_t, Memory> first_moved_;  ///< per moved node and one more: its prescriptions
   Array<double, Memory> factor_;             ///< per table
