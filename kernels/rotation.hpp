@@ -17,10 +17,9 @@ struct Rotation {
   Tensor<T> q;
 };
 
-/// spin: axial vector of W dt (rotation vector of the step to first order) [rad].
+/// h: axial vector of W dt/2 [rad].
 template <class T>
-PINBALL_FUNCTION Rotation<T> hughes_winget_rotation(const Vec3<T>& spin) {
-  const Vec3<T> h = number<T>(0.5) * spin;
+PINBALL_FUNCTION Rotation<T> rotation_of_half_spin(const Vec3<T>& h) {
   const T s = T(2) / (T(1) + dot(h, h));
   const Vec3<T> sh = s * h;
   const T sxx = sh.x * h.x, syy = sh.y * h.y, szz = sh.z * h.z;
@@ -28,6 +27,12 @@ PINBALL_FUNCTION Rotation<T> hughes_winget_rotation(const Vec3<T>& spin) {
   return {{{T(1) - syy - szz, sxy - sh.z, szx + sh.y},
            {sxy + sh.z, T(1) - szz - sxx, syz - sh.x},
            {szx - sh.y, syz + sh.x, T(1) - sxx - syy}}};
+}
+
+/// spin: axial vector of W dt (rotation vector of the step to first order) [rad].
+template <class T>
+PINBALL_FUNCTION Rotation<T> hughes_winget_rotation(const Vec3<T>& spin) {
+  return rotation_of_half_spin(number<T>(0.5) * spin);
 }
 
 template <class T>
