@@ -214,6 +214,18 @@ __global__ void add_up_numbers(Functor functor, double* partial) {
   functor(i, partial[i]);
 }
 
+template <class S, class Functor>
+__global__ void pass_by(Functor functor, bool* passes) {
+  const std::int64_t i = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  passes[i] = functor.template passes<S>(i);
+}
+
+template <class S>
+__global__ void turn(const Tensor<S>* gradient, Rotation<S>* rotation) {
+  const std::int64_t i = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  rotation[i] = hughes_winget_rotation(axial_vector(gradient[i]));
+}
+
 template <class S, class Forces>
 void instantiate_forces(const Forces& forces) {
   const NodeArrays<S> nodes{};
@@ -242,6 +254,7 @@ void instantiate_boundary() {
   add_up<<<1, 32>>>(ForceOfTable<S, NodePrescription<S>>{}, static_cast<VectorSum*>(nullptr));
   add_up<<<1, 32>>>(PushWall<S>{}, static_cast<WallPush*>(nullptr));
   add_up<<<1, 32>>>(WorkOfWall<S>{}, static_cast<ExternalWork*>(nullptr));
+  pass_by<S><<<1, 32>>>(StopAtWall<S>{}, nullptr);
 }
 
 template <class S>
@@ -256,6 +269,7 @@ void instantiate() {
   update_elements<S, false, HourglassKind::none><<<1, 32>>>({}, {}, {}, S(0), nullptr, nullptr);
   update_tetrahedra<S><<<1, 32>>>({}, {}, {}, nullptr, nullptr);
   average_volumes<S><<<1, 32>>>({}, {}, {});
+  turn<S><<<1, 32>>>(nullptr, nullptr);
   prepare_moduli<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
   contact_forces<S><<<1, 32>>>({}, {}, nullptr, nullptr, nullptr, S(0), nullptr);
