@@ -12,6 +12,19 @@
 /// what it holds. What several indices may change at once has a result that does not depend on who was first.
 namespace pinball {
 
+/// Fewer numbers than these are looked at before another thread is there.
+inline constexpr std::int64_t worth_a_thread = 4096;
+
+/// parallel_for, by the calling thread alone where `numbers`, of all indices together, are too few for others.
+template <class Body>
+void for_all_of(const char* name, std::int64_t count, std::int64_t numbers, const Body& body) {
+  if (numbers < worth_a_thread) {
+    parallel_for(name, RangePolicy<Serial>{0, count}, body);
+  } else {
+    parallel_for(name, RangePolicy<>{0, count}, body);
+  }
+}
+
 /// Of each piece the sum of those before it; returns that of all.
 inline std::int64_t sums_before(std::array<std::int64_t, fixed_pieces>& pieces) {
   std::int64_t whole = 0;
@@ -29,13 +42,13 @@ std::int64_t make_offsets(std::vector<Number>& counts) {
   std::array<std::int64_t, fixed_pieces> sums{};
   const std::int64_t count = std::ssize(counts);
   const auto begin_of = [count](std::int64_t piece) { return count * piece / fixed_pieces; };
-  parallel_for("sums of counts", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+  for_all_of("sums of counts", fixed_pieces, count, [&](std::int64_t piece) {
     std::int64_t sum = 0;
     for (std::int64_t i = begin_of(piece); i < begin_of(piece + 1); ++i) sum += counts[i];
     sums[piece] = sum;
   });
   const std::int64_t whole = sums_before(sums);
-  parallel_for("offsets", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+  for_all_of("offsets", fixed_pieces, count, [&](std::int64_t piece) {
     std::int64_t next = sums[piece];
     for (std::int64_t i = begin_of(piece); i < begin_of(piece + 1); ++i) {
       const std::int64_t here = counts[i];
@@ -56,13 +69,13 @@ void list_where(const char* name, std::int64_t count, std::vector<Number>& list,
       if (is(i)) visit(i);
     }
   };
-  parallel_for(name, RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+  for_all_of(name, fixed_pieces, count, [&](std::int64_t piece) {
     std::int64_t found = 0;
     for_each(piece, [&](std::int64_t) { ++found; });
     place[piece] = found;
   });
   list.resize(sums_before(place));
-  parallel_for(name, RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+  for_all_of(name, fixed_pieces, count, [&](std::int64_t piece) {
     std::int64_t next = place[piece];
     for_each(piece, [&](std::int64_t i) { list[next++] = static_cast<Number>(i); });
   });

@@ -150,7 +150,7 @@ InternalForceResult<S> InternalForces<S>::sum() const {
 template <class S>
 std::vector<std::int64_t> eroded_slots(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
   if (std::ranges::all_of(tiles, [](const TileResult<S>& tile) { return tile.eroded_count == 0; })) return {};
-  const RangePolicy<> all{0, std::ssize(tiles)};
+  const std::int64_t all = std::ssize(tiles);
   const auto for_each_eroded = [&](std::int64_t tile, const auto& visit) {
     if (tiles[tile].eroded_count == 0) return;
     for (const std::int64_t slot : model.slots_of(tile)) {
@@ -158,10 +158,10 @@ std::vector<std::int64_t> eroded_slots(const Model<S>& model, const std::vector<
     }
   };
   std::vector<std::int64_t> first(tiles.size()), slots;
-  parallel_for("counts of eroded elements", all,
-               [&](std::int64_t tile) { for_each_eroded(tile, [&](std::int64_t) { ++first[tile]; }); });
+  for_all_of("counts of eroded elements", all, model.elements.slots,
+             [&](std::int64_t tile) { for_each_eroded(tile, [&](std::int64_t) { ++first[tile]; }); });
   slots.resize(make_offsets(first));
-  parallel_for("eroded elements", all, [&](std::int64_t tile) {
+  for_all_of("eroded elements", all, model.elements.slots, [&](std::int64_t tile) {
     std::int64_t next = first[tile];
     for_each_eroded(tile, [&](std::int64_t slot) { slots[next++] = slot; });
   });

@@ -123,7 +123,7 @@ void FaceAlgorithm<S>::choose_listed() {
   surface_.choose_none();
   listed_slave_.assign(surface_.slaves().size(), 0);
   const auto for_each_new = [](const std::vector<std::int32_t>& list, const auto& work) {
-    parallel_for("chosen of lists", RangePolicy<>{0, std::ssize(list)}, [&](std::int64_t i) {
+    for_all_of("chosen of lists", std::ssize(list), std::ssize(list), [&](std::int64_t i) {
       if (i == 0 || list[i] != list[i - 1]) work(list[i]);
     });
   };
@@ -160,7 +160,8 @@ void FaceAlgorithm<S>::finish_choice() {
   surface_.finish_choice();
   list_where("listed nodes", std::ssize(listed_slave_), listed_nodes_,
              [this](std::int64_t slave) { return listed_slave_[slave] != 0; });
-  parallel_for("nodes of slaves", RangePolicy<>{0, std::ssize(listed_nodes_)}, [this](std::int64_t i) {
+  const std::int64_t count = std::ssize(listed_nodes_);
+  for_all_of("nodes of slaves", count, count, [this](std::int64_t i) {
     std::int32_t& number = listed_nodes_[i];
     number = surface_.slaves()[number].node;
   });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <kernels/exec.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 #include "feature_row.hpp"
 
@@ -44,13 +45,13 @@ class RowPieces {
   /// The same for the rows of a piece, and other pieces at the same time.
   template <class Visit>
   void for_each_by_pieces(const char* name, const Visit& visit) {
-    parallel_for(name, RangePolicy<>{0, count_}, [&](std::int64_t number) {
+    for_all_of(name, count_, numbers(), [&](std::int64_t number) {
       for (FeatureRow& row : pieces_[number].rows) visit(row);
     });
   }
   /// Takes rows out that another row makes needless.
   void erase_dropped() {
-    parallel_for("rows that are kept", RangePolicy<>{0, count_}, [&](std::int64_t number) {
+    for_all_of("rows that are kept", count_, numbers(), [&](std::int64_t number) {
       std::erase_if(pieces_[number].rows, [](const FeatureRow& row) { return row.dropped; });
     });
   }
@@ -67,6 +68,13 @@ class RowPieces {
   }
 
  private:
+  /// Of all rows.
+  std::int64_t numbers() const {
+    std::int64_t rows = 0;
+    for (std::int64_t number = 0; number < count_; ++number) rows += std::ssize(pieces_[number].rows);
+    return rows * static_cast<std::int64_t>(sizeof(FeatureRow) / sizeof(double));
+  }
+
   std::int64_t count_ = 0;
   std::array<Piece, fixed_pieces> pieces_;
 };
