@@ -16,6 +16,8 @@
 #include <tests/support/output_case.hpp>
 #include <tests/support/program.hpp>
 
+#include "other_history_case.hpp"
+
 /// What CalculiX writes as text beside a run: its .dat.
 namespace pinball::calculix_dat_test {
 namespace {
@@ -36,21 +38,12 @@ std::string node_row(std::int64_t number, const Point& v) {
   return fmt::format("{:10} {:13.6E} {:13.6E} {:13.6E}\n", number, v[0], v[1], v[2]);
 }
 
-class CalculixDat : public testing::Test {
+class CalculixDat : public test::OtherHistories {
  protected:
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return folder_ / name;
-  }
   OtherHistory read(const std::string& text) const { return read_other_history(write("deck.dat", text)); }
   static std::vector<double> values(const OtherHistory& history, const std::string& name) {
-    for (const OtherCurve& curve : history.curves) {
-      if (curve.name == name) return curve.values;
-    }
-    throw std::runtime_error("no curve " + name);
+    return curve(history, name).values;
   }
-
-  test::TemporaryFolder folder_{testing::UnitTest::GetInstance()->current_test_info()->name()};
 };
 
 TEST_F(CalculixDat, HasNodesSetsAndMeansOverIntegrationPoints) {
