@@ -107,7 +107,8 @@ TYPED_TEST(WallPacks, DoNotPassWithWhatIsNoNumberNorOutOfARow) {
   EXPECT_FALSE(infinite.stop(step).template passes<T>(0));
   none.force[4] = std::numeric_limits<S>::quiet_NaN();
   EXPECT_FALSE(none.stop(step).template passes<T>(0));
-  if (width_of < T >> 1) {
+  constexpr int W = width_of<T>;
+  if (W > 1) {
     apart.node[0] = 0;
     EXPECT_FALSE(apart.stop(step).template passes<T>(0));
   }
