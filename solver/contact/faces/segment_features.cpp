@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <utility>
 
 #include <kernels/exec.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 namespace pinball {
 
@@ -32,7 +32,7 @@ void SegmentFeatures<S>::clear(std::size_t segments) {
 
 template <class S>
 void SegmentFeatures<S>::ask_for(std::int32_t segment) {
-  std::atomic_ref(asked_[segment]).store(1, std::memory_order_relaxed);
+  set_mark(asked_[segment]);
 }
 
 /// Counts, scans and fills.

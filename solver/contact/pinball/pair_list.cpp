@@ -1,11 +1,11 @@
 #include "pair_list.hpp"
 
 #include <algorithm>
-#include <atomic>
 
 #include <kernels/compress.hpp>
 #include <kernels/exec.hpp>
 #include <kernels/reference_balls.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 namespace pinball {
 
@@ -195,7 +195,7 @@ void PairList<S>::append(std::int32_t group, std::span<const typename NearBalls<
 /// A pinball has a pair: several pieces may say this at the same time.
 template <class S>
 void PairList<S>::mark(std::int32_t pinball) {
-  std::atomic_ref(has_pair_[pinball]).store(1, std::memory_order_relaxed);
+  set_mark(has_pair_[pinball]);
 }
 
 /// Numbers the pinballs that have a pair, and puts the pairs one after the other.
