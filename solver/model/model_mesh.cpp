@@ -137,11 +137,12 @@ class Assembly {
     all_.body.insert(all_.body.end(), count, static_cast<std::int32_t>(b));
     all_.hexahedra.resize(first + count);
     const auto problem = [&](std::int64_t e) { return rounding_problem(all_.corners(e), scene_.precision); };
-    const std::int64_t bad = first_where("elements of a body", count, [&](std::int64_t e) {
+    parallel_for("elements of a body", RangePolicy<>{0, count}, [&](std::int64_t e) {
       std::array<std::int32_t, 8>& hexahedron = all_.hexahedra[first + e];
       for (std::size_t i = 0; i < 8; ++i) hexahedron[i] = mesh.hexahedra[e][i] + offset;
-      return !problem(first + e).empty();
     });
+    const std::int64_t bad =
+        first_where("rounding of volumes", count, [&](std::int64_t e) { return !problem(first + e).empty(); });
     if (bad < count) require_none(problem(first + bad), b, [&] { return fmt::format("element {}", first + bad); });
   }
 
