@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -72,6 +74,10 @@ class RadiossData {
 
   /// Blocks of a name, in the order of the deck.
   const std::vector<const RadiossBlock*>& blocks_of(const std::string& name) const;
+  /// Number of its part among those of the mesh.
+  std::ptrdiff_t part_of(const RadiossBody& body) const {
+    return std::ranges::find(mesh.parts, body.part.id, &MeshPart::id) - mesh.parts.begin();
+  }
   /// The last block of a name, which is the one that counts; null: there is none.
   const RadiossBlock* last(const std::string& name) const;
 

@@ -22,7 +22,7 @@ void add_moments(std::array<Point, 3>& inertia, double mass, const Point& from_c
 std::vector<double> densities(const RadiossData& data) {
   std::vector<double> density(data.mesh.parts.size(), 0.0);
   for (const RadiossBody& body : data.bodies) {
-    const auto part = std::ranges::find(data.mesh.parts, body.part.id, &MeshPart::id) - data.mesh.parts.begin();
+    const std::ptrdiff_t part = data.part_of(body);
     for (const RadiossBlock& block : data.deck.blocks) {
       if (!block.name.starts_with("MAT/") || block.id() != body.part.material) continue;
       RadiossLines lines(block);

@@ -17,7 +17,7 @@ bool touches_others(const RadiossData& data, const std::vector<bool>& in_group,
                     const std::vector<std::string>& own_bodies) {
   for (const RadiossBody& body : data.bodies) {
     if (std::ranges::find(own_bodies, body.name) != own_bodies.end()) continue;
-    const auto part = std::ranges::find(data.mesh.parts, body.part.id, &MeshPart::id) - data.mesh.parts.begin();
+    const std::ptrdiff_t part = data.part_of(body);
     for (std::size_t e = 0; e < data.mesh.part.size(); ++e) {
       if (data.mesh.part[e] != part) continue;
       for (const std::int32_t node : data.mesh.mesh.hexahedra[e]) {
@@ -70,7 +70,7 @@ void find_rigid_part(RadiossData& data, const RadiossBody& body, const RadiossBl
   for (const RadiossRigidBody& other : data.rigid) {
     if (std::ranges::find(other.bodies, body.name) != other.bodies.end()) return;
   }
-  const auto part = std::ranges::find(data.mesh.parts, body.part.id, &MeshPart::id) - data.mesh.parts.begin();
+  const std::ptrdiff_t part = data.part_of(body);
   RadiossRigidBody rigid;
   rigid.block = &material;
   rigid.card = {fmt::format("/PART/{}", body.part.id), body.part.place};
