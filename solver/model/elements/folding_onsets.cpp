@@ -12,10 +12,12 @@ std::vector<double> folding_onsets(const ModelMesh& mesh) {
   // A copy: a variable template that a reference is bound to is visible outside a library, whatever GCC 12 is told.
   constexpr double usual = folding_onset<double>;
   const auto share = [&](std::int64_t e) { return least_corner_share(mesh.corners(e)); };
-  std::vector<std::int32_t> near_folding;
-  list_where("corners", mesh.element_count(), near_folding, [&](std::int64_t e) { return !(share(e) >= 2 * usual); });
-  std::vector<double> onsets(near_folding.empty() ? 0 : mesh.hexahedra.size(), usual);
-  for (const std::int32_t e : near_folding) onsets[e] = std::max(0.0, 0.5 * share(e));
+  const std::int64_t count = mesh.element_count();
+  if (first_where("corners", count, [&](std::int64_t e) { return !(share(e) >= 2 * usual); }) == count) return {};
+  std::vector<double> onsets(count, usual);
+  parallel_for("onsets of folding", RangePolicy<>{0, count}, [&](std::int64_t e) {
+    if (const double own = share(e); !(own >= 2 * usual)) onsets[e] = std::max(0.0, 0.5 * own);
+  });
   return onsets;
 }
 
