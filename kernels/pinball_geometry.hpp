@@ -1,15 +1,17 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "gather.hpp"
 #include "pinball.hpp"
+#include "rows.hpp"
 
 /// Centres, velocities, normals and (on demand) radii of a pack of pinballs from the corners of their elements
 /// (report figure 3, steps 1 to 3).
 namespace pinball {
 
-/// Surface elements in tiles of W, as in ElementView; records of four scalars per pinball, as in PinballView.
+/// Surface elements in packs of `row` lanes, as in ElementView; records of four scalars per pinball, as in PinballView.
 template <class S>
 struct PinballGeometryView {
   const std::int32_t* corner;  ///< N = 8: node numbers
@@ -19,29 +21,33 @@ struct PinballGeometryView {
   S* velocity;                 ///< V, (mass: kept)
   S* outward;                  ///< outward normal, B R
   S* two_sided;                ///< two-sided normal
+  int row = 1;                 ///< lanes of a pack
 };
 
-/// Writes the records of pinballs pack * W ... + W - 1. With update_radius the radius follows the current volume.
+/// Writes the records of pinballs pack * W ... + W - 1; a pack is as wide as a row, or one lane. With update_radius the
+/// radius follows the current volume.
 template <class T, bool update_radius>
 PINBALL_FUNCTION void update_pinball_pack(const PinballGeometryView<ScalarOf<T>>& view, const ScalarOf<T>* position,
                                           const ScalarOf<T>* velocity, std::int64_t pack) {
   using S = ScalarOf<T>;
   constexpr int W = width_of<T>;
-  const std::int32_t* corner = view.corner + pack * 8 * W;
+  const int row = row_of<T>(view.row);
+  const std::int32_t* corner = view.corner + first_in_rows<T>(view.row, pack, 8);
   Vec3<T> value[8];
   PINBALL_UNROLL
-  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(velocity, corner + i * W);
+  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(velocity, corner + i * row);
   Vec3<T> v = value[0];
   PINBALL_UNROLL
   for (int i = 1; i < 8; ++i) v = v + value[i];
   v = number<T>(0.125) * v;
   PINBALL_UNROLL
-  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(position, corner + i * W);
+  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(position, corner + i * row);
   const HexahedronModes<T> x = to_modes(value);
   const Vec3<T> centre = x.constant;  // (3.1)
+  const S* const faces = view.exposed + first_in_rows<T>(view.row, pack, 6);
   T exposed[6];
   PINBALL_UNROLL
-  for (int f = 0; f < 6; ++f) exposed[f] = load<T>(view.exposed + (pack * 6 + f) * W);
+  for (int f = 0; f < 6; ++f) exposed[f] = load<T>(faces + f * row);
   const PinballNormal<T> normal = pinball_normal(x, exposed);
   T volume(0);
   if constexpr (update_radius) volume = hexahedron_volume(uniform_gradient(x), x);
@@ -68,5 +74,43 @@ PINBALL_FUNCTION void update_pinball_pack(const PinballGeometryView<ScalarOf<T>>
     view.two_sided[p + 2] = lane(normal.two_sided.z, i);
   }
 }
+
+/// The same for pack after pack, or lane after lane.
+template <class T, bool update_radius>
+struct UpdatePinballs {
+  using S = ScalarOf<T>;
+  PinballGeometryView<S> pinballs;
+  const S *position, *velocity;  ///< node records
+
+  PINBALL_FUNCTION void operator()(std::int64_t pack) const {
+    update_pinball_pack<T, update_radius>(pinballs, position, velocity, pack);
+  }
+};
+
+/// Radius of the ball of an element's present volume, as update_pinball_pack finds it but for the rounding of the cube
+/// root [length]. position: node records; corner: eight nodes.
+template <class S>
+PINBALL_FUNCTION S present_radius(const S* position, const std::int32_t* corner) {
+  Vec3<S> x[8];
+  for (int i = 0; i < 8; ++i) {
+    const S* const of = record(position, corner[i]);
+    x[i] = {of[0], of[1], of[2]};
+  }
+  const HexahedronModes<S> modes = to_modes(x);
+  return ball_radius_of_cube(S(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes)))));
+}
+
+/// Whether the ball of an element has grown beyond `most` times what it was; also where a position is not a number.
+template <class S>
+struct BallsGrow {
+  const std::int32_t* corner;  ///< eight nodes of each element, one after the other
+  const S* radius;             ///< as it was [length]
+  const S* position;           ///< node records
+  S most;                      ///< [-]
+
+  PINBALL_FUNCTION bool operator()(std::int64_t p) const {
+    return !(present_radius(position, corner + 8 * p) <= most * radius[p]);
+  }
+};
 
 }  // namespace pinball

@@ -14,6 +14,7 @@
 
 #include <solver/base/tile_size.hpp>
 #include <solver/contact/pinball/pair_forces.hpp>
+#include <solver/contact/pinball/pair_list.hpp>
 #include <solver/model/ordering.hpp>
 
 #ifdef PINBALL_HAS_NANOFLANN
@@ -175,7 +176,8 @@ void forces_of_part(benchmark::State& state, Cloud (*cloud)(int), double radius)
   Array<S> force(4 * static_cast<std::size_t>(list.size()));
   PairForces<S> pair_forces;
   PairSums<S> sums;
-  for (auto _ : state) sums = pair_forces.compute(view, {1.0, 0.1}, list, S(1e-3), force.data());
+  for (auto _ : state)
+    sums = pair_forces.compute(view, {1.0, 0.1}, {list.listed_pairs(), list.pieces()}, S(1e-3), force.data());
   state.counters["in_contact"] = static_cast<double>(sums.pairs) / static_cast<double>(list.pairs());
   count_neighbours(state, list, pinballs.all.count);
   state.counters["per_pair"] = each(static_cast<double>(list.pairs()));

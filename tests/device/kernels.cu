@@ -55,24 +55,28 @@ __global__ void sum_corner_forces(CornersOfNodes corners, const S* corner_force,
 }
 
 template <class S>
-__global__ void update_pinballs(PinballGeometryView<S> view, const S* position, const S* velocity) {
-  const std::int64_t pinball = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
-  update_pinball_pack<S, true>(view, position, velocity, pinball);
+__global__ void update_pinballs(UpdatePinballs<S, true> update, NodesStray<S> strays, BallsGrow<S> grows, bool* any) {
+  const std::int64_t i = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  update(i);
+  any[i] = strays(i) || grows(i);
 }
 
 template <class S>
-__global__ void contact_forces(PinballView<S> view, PenaltyConstants<S> constants, const std::int32_t* first,
-                               const std::int32_t* second, S* offset, S dt, PairForce<S>* force) {
-  const std::int64_t pair = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
-  if (touching_pairs<S>(view.centre, first + pair, second + pair, offset + pair) == 0) return;
-  force[pair] = pair_force<S>(view, constants, first + pair, second + pair, offset[pair], dt);
+__global__ void contact_forces(FindPairForces<S> find, PinballGeometryView<S> pinballs, SumPairForces<S> sum,
+                               LoadNodes<S> load, PairSums<S>* sums, LargestOf<S>* row) {
+  const std::int64_t i = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  find.pinballs = pinballs_of(pinballs);
+  PairSums<S> own;
+  find(i, own);
+  sums[i].join(own);
+  sum(i);
+  load(i, row[i]);
 }
 
 template <class S>
-__global__ void add_contact_forces(const PairTouch<S, 1>* touch, std::int32_t pinballs, S* force, S* node) {
+__global__ void add_contact_forces(const PairTouch<S, 1>* touch, std::int32_t pinballs, S* force) {
   const std::int64_t pair = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
   add_to_pinballs<S>(touch[pair], 1, pinballs, force);
-  add_to_node(node + 4 * pair, force + 4 * pair);
 }
 
 __global__ void contact_rows(const Vec3<double>* d, const double* reach, const Vec3<double>* normal, ContactRow* row) {
@@ -271,10 +275,10 @@ void instantiate() {
   average_volumes<S><<<1, 32>>>({}, {}, {});
   turn<S><<<1, 32>>>(nullptr, nullptr);
   prepare_moduli<S><<<1, 32>>>(nullptr, nullptr, nullptr);
-  update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
-  contact_forces<S><<<1, 32>>>({}, {}, nullptr, nullptr, nullptr, S(0), nullptr);
+  update_pinballs<S><<<1, 32>>>({}, {}, {}, nullptr);
+  contact_forces<S><<<1, 32>>>({}, {}, {}, {}, nullptr, nullptr);
   sum_corner_forces<S><<<1, 32>>>({}, nullptr, nullptr);
-  add_contact_forces<S><<<1, 32>>>(nullptr, 0, nullptr, nullptr);
+  add_contact_forces<S><<<1, 32>>>(nullptr, 0, nullptr);
   feet_on_faces<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   pairs_of_edges<S><<<1, 32>>>(nullptr, nullptr);
   least_corners<S><<<1, 32>>>(nullptr, nullptr, nullptr);

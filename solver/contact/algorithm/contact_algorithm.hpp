@@ -15,6 +15,8 @@
 #include <solver/contact/surface/surface.hpp>
 #include <solver/contact/surface/surface_source.hpp>
 
+#include "pinball_kernels.hpp"
+
 namespace pinball {
 
 /// What contact has done in a step or in a stage of it.
@@ -93,6 +95,10 @@ class ContactAlgorithm {
   /// Takes eroded elements out and brings up to date what the other stages read of the surface. eroded: slots of those
   /// that eroded since the last call, ascending; padding and elements that are out already may be among them.
   virtual void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) = 0;
+  /// Before the first step: has the loops of a step run where these kernels are, and reads the motion of nodes after
+  /// SurfaceSource::before_search alone, where the algorithm and what acts with it can do that. Returns whether it
+  /// does.
+  virtual bool work_with(std::unique_ptr<PinballKernels<S>>& /*kernels*/) { return false; }
   /// Lists of what may touch, unless the lists still hold. dt: the step just made.
   virtual void search(const SurfaceSource<S>& source, double dt) = 0;
 

@@ -16,10 +16,10 @@ struct PairForces<S>::Waiting {
   alignas(64) S offset[most + 2 * W];
 
   /// Takes the pairs of a pack of the list that the mask tells.
-  void append(unsigned bits, std::int32_t place_of_first, const PairList<S>& list, std::int64_t from) {
-    write_lanes<W>(bits, list.first() + from, first + count);
-    write_lanes<W>(bits, list.second() + from, second + count);
-    write_lanes<W>(bits, list.offset() + from, offset + count);
+  void append(unsigned bits, std::int32_t place_of_first, const ListedPairs<S>& pairs, std::int64_t from) {
+    write_lanes<W>(bits, pairs.first + from, first + count);
+    write_lanes<W>(bits, pairs.second + from, second + count);
+    write_lanes<W>(bits, pairs.offset + from, offset + count);
     count += write_numbers<W>(bits, place_of_first, place + count);
   }
   /// Keeps those after the first `done`.
@@ -44,8 +44,9 @@ struct PairForces<S>::Waiting {
 };
 
 template <class S>
-void PairForces<S>::compute_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
-                                 S dt, std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work) {
+void PairForces<S>::compute_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, const List& list,
+                                 S dt, const PairPiece& piece, const Waiting& waiting, int begin, int pairs,
+                                 Work& work) {
   using T = Pack<S, W>;
   const std::size_t number = work.pairs / W;
   if (number == work.touches.size()) work.touches.resize(std::max<std::size_t>(16, 2 * number));
@@ -61,9 +62,8 @@ void PairForces<S>::compute_pack(const PinballView<S>& view, const PenaltyConsta
   store(f.force.y, touch.force[1]);
   store(f.force.z, touch.force[2]);
   store(f.stiffness, touch.force[3]);
-  S* const offset_of = list.offset() + list.piece(piece).begin;
-  S* const stored_of = list.stored() + list.piece(piece).begin;
-  const std::int32_t end = list.piece(piece).pinballs_end;
+  S* const offset_of = list.pairs.offset + piece.begin;
+  S* const stored_of = list.pairs.stored + piece.begin;
   for (int i = 0; i < W; ++i) {
     touch.first[i] = waiting.first[begin + i];
     touch.second[i] = waiting.second[begin + i];
@@ -72,14 +72,8 @@ void PairForces<S>::compute_pack(const PinballView<S>& view, const PenaltyConsta
     const std::int32_t place = waiting.place[begin + i];
     offset_of[place] = offset[i];
     stored_of[place] = stored[i];
-    work.sums.stored += stored[i];
-    work.sums.damped += damped[i];
-    if (ratio[i] > work.sums.penetration_ratio) {
-      work.sums.penetration_ratio = ratio[i];
-      work.sums.deepest = touch.first[i];
-    }
-    work.sums.pairs += offset[i] < S(0) ? 0 : 1;
-    if (touch.second[i] < end) continue;
+    work.sums.add(stored[i], damped[i], ratio[i], touch.first[i], !(offset[i] < S(0)));
+    if (touch.second[i] < piece.pinballs_end) continue;
     work.elsewhere.push_back(
         {touch.second[i], {-touch.force[0][i], -touch.force[1][i], -touch.force[2][i], touch.force[3][i]}});
   }
@@ -87,18 +81,19 @@ void PairForces<S>::compute_pack(const PinballView<S>& view, const PenaltyConsta
 }
 
 template <class S>
-void PairForces<S>::compute_piece(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
-                                  S dt, std::int64_t piece, Work& work) {
+void PairForces<S>::compute_piece(const PinballView<S>& view, const PenaltyConstants<S>& constants, const List& list,
+                                  S dt, const PairPiece& piece, Work& work) {
   using T = Pack<S, W>;
   work.pairs = 0;
   work.elsewhere.clear();
   work.sums = {};
-  const std::int64_t first = list.piece(piece).begin, end = list.piece(piece).end;
+  const std::int64_t first = piece.begin, end = piece.end;
+  const ListedPairs<S>& pairs = list.pairs;
   Waiting waiting;
   for (std::int64_t place = first; place < end; place += W) {
-    unsigned bits = touching_pairs<T>(view.centre, list.first() + place, list.second() + place, list.offset() + place);
+    unsigned bits = touching_pairs<T>(view.centre, pairs.first + place, pairs.second + place, pairs.offset + place);
     if (place + W > end) bits &= (1U << (end - place)) - 1;
-    waiting.append(bits, place - first, list, place);
+    waiting.append(bits, place - first, pairs, place);
     if (waiting.count < Waiting::most) continue;
     const int full = waiting.count / W * W;
     for (int i = 0; i < full; i += W) compute_pack(view, constants, list, dt, piece, waiting, i, W, work);
@@ -111,12 +106,13 @@ void PairForces<S>::compute_piece(const PinballView<S>& view, const PenaltyConst
 }
 
 template <class S>
-PairSums<S> PairForces<S>::compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
+PairSums<S> PairForces<S>::compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, const List& list,
                                    S dt, S* force) {
   const auto work_of = [this](std::int64_t piece) -> Work& { return work_[piece]; };
+  const auto piece_of = [&list](std::int64_t piece) -> const PairPiece& { return list.pieces[piece]; };
   parallel_for("contact forces", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    compute_piece(view, constants, list, dt, piece, work_of(piece));
-    const auto& range = list.piece(piece);
+    const PairPiece& range = piece_of(piece);
+    compute_piece(view, constants, list, dt, range, work_of(piece));
     std::fill(record(force, range.pinballs_begin), record(force, range.pinballs_end), S(0));
   });
   // Second pinballs of other pieces: these pairs come before all that begin with the pinball's own piece.
@@ -129,19 +125,11 @@ PairSums<S> PairForces<S>::compute(const PinballView<S>& view, const PenaltyCons
     const Work& work = work_of(piece);
     for (std::int64_t i = 0; i < work.pairs; i += W) {
       const int pairs = std::min<std::int64_t>(W, work.pairs - i);
-      add_to_pinballs<Pack<S, W>>(work.touches[i / W], pairs, list.piece(piece).pinballs_end, force);
+      add_to_pinballs<Pack<S, W>>(work.touches[i / W], pairs, piece_of(piece).pinballs_end, force);
     }
   });
   PairSums<S> sums;
-  for (const Work& work : work_) {
-    sums.stored += work.sums.stored;
-    sums.damped += work.sums.damped;
-    if (work.sums.penetration_ratio > sums.penetration_ratio) {
-      sums.penetration_ratio = work.sums.penetration_ratio;
-      sums.deepest = work.sums.deepest;
-    }
-    sums.pairs += work.sums.pairs;
-  }
+  for (const Work& work : work_) sums.join(work.sums);
   return sums;
 }
 

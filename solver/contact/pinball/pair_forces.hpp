@@ -2,31 +2,29 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <kernels/contact_force.hpp>
-
-#include "pair_list.hpp"
+#include <kernels/exec/host_loops.hpp>
+#include <kernels/pinball_sums.hpp>
+#include <solver/base/point.hpp>
+#include <solver/contact/algorithm/pinball_kernels.hpp>
 
 namespace pinball {
-
-/// Sums over the pairs in contact.
-template <class S>
-struct PairSums {
-  double stored = 0;          ///< energy of the springs [energy]
-  double damped = 0;          ///< power of the damping [power]
-  S penetration_ratio = 0;    ///< largest g / (R1 + R2) [-]
-  std::int32_t deepest = -1;  ///< first pinball of that pair; negative: there is none
-  std::int64_t pairs = 0;
-};
 
 /// The penalty forces of the pairs of a list, summed per pinball. Every pinball sums its pairs in the order of the
 /// other pinball's number, so that results depend neither on the number of threads nor on what else is listed.
 template <class S>
 class PairForces {
  public:
+  /// A list in fixed_pieces, as the host has it.
+  struct List {
+    ListedPairs<S> pairs;
+    std::span<const PairPiece> pieces;
+  };
   /// force: records of all listed pinballs, written: F, sum of p2 [force], [force/length]. dt: the step just made.
-  PairSums<S> compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+  PairSums<S> compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, const List& list, S dt,
                       S* force);
   /// Calls visit(first, second, force on the first) for the pairs of the last compute(), in one order.
   template <class Visit>
@@ -49,10 +47,10 @@ class PairForces {
     PairSums<S> sums;
   };
   struct Waiting;
-  static void compute_piece(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
-                            std::int64_t piece, Work& work);
-  static void compute_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
-                           std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work);
+  static void compute_piece(const PinballView<S>& view, const PenaltyConstants<S>& constants, const List& list, S dt,
+                            const PairPiece& piece, Work& work);
+  static void compute_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, const List& list, S dt,
+                           const PairPiece& piece, const Waiting& waiting, int begin, int pairs, Work& work);
 
   std::array<Work, fixed_pieces> work_;
 };

@@ -260,8 +260,8 @@ void PairList<S>::remember() {
 
 template <class S>
 std::int64_t PairList<S>::find_pair(std::int32_t first, std::int32_t second) const {
-  const auto piece =
-      std::partition_point(piece_.begin(), piece_.end(), [first](const Piece& p) { return p.pinballs_end <= first; });
+  const auto piece = std::partition_point(piece_.begin(), piece_.end(),
+                                          [first](const PairPiece& p) { return p.pinballs_end <= first; });
   std::int64_t low = piece->begin, high = piece->end;
   while (low < high) {
     const std::int64_t middle = (low + high) / 2;
@@ -327,7 +327,7 @@ void PairList<S>::check(const StateArchive& archive, const SurfacePinballs<S>& p
   archive.require_all(second_, 0, size());
   std::int64_t place = 0;
   std::int32_t pinball = 0;
-  for (const Piece& p : piece_) {
+  for (const PairPiece& p : piece_) {
     archive.require(p.begin >= place && p.begin % W == 0 && p.end >= p.begin && p.end <= count);
     place = (p.end + W - 1) / W * W;
     archive.require(place <= count && p.pinballs_begin == pinball && p.pinballs_end >= pinball);
@@ -343,7 +343,7 @@ void PairList<S>::check(const StateArchive& archive, const SurfacePinballs<S>& p
 template <class S>
 std::int64_t PairList<S>::pairs() const {
   std::int64_t sum = 0;
-  for (const Piece& p : piece_) sum += p.end - p.begin;
+  for (const PairPiece& p : piece_) sum += p.end - p.begin;
   return sum;
 }
 

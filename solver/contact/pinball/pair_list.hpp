@@ -7,6 +7,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/contact/algorithm/pinball_kernels.hpp>
 #include <solver/contact/search/moving_balls.hpp>
 
 #include "ball_pairs.hpp"
@@ -24,11 +25,6 @@ namespace pinball {
 template <class S>
 class PairList {
  public:
-  struct Piece {
-    std::int64_t begin = 0, end = 0;                    ///< pairs
-    std::int32_t pinballs_begin = 0, pinballs_end = 0;  ///< listed
-  };
-
   /// Builds the list from nothing. balls: one per pinball; self: a body may touch itself; how: the list is the same;
   /// pairs: of the scene, which may touch, or null; spheres_apart: balls of spheres meet each other alone.
   void build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self,
@@ -39,7 +35,8 @@ class PairList {
   std::int32_t size() const { return listed_.size(); }  ///< pinballs that have a pair
   /// Number among all pinballs of each one that is listed.
   const std::vector<std::int32_t>& listed() const { return listed_; }
-  const Piece& piece(std::int64_t number) const { return piece_[number]; }
+  const PairPiece& piece(std::int64_t number) const { return piece_[number]; }
+  std::span<const PairPiece> pieces() const { return piece_; }
   std::int64_t pairs() const;
   std::int64_t places() const { return first_.size(); }  ///< of pairs, and between pieces
   /// Listed pinballs of each place; any valid ones where there is no pair.
@@ -49,6 +46,8 @@ class PairList {
   S* offset() { return offset_.data(); }
   const S* offset() const { return offset_.data(); }
   S* stored() { return stored_.data(); }  ///< spring energy of each pair [energy]
+  /// All of these, as loops work on them. Where there is no pair a pinball is named twice.
+  ListedPairs<S> listed_pairs() { return {places(), first(), second(), offset(), stored()}; }
   /// Ends all pairs of which a pinball takes no part any more; returns their spring energy [energy].
   /// outward: records of the listed pinballs, whose fourth number is B R, or 0.
   double end_pairs_of_inactive(const S* outward);
@@ -98,7 +97,7 @@ class PairList {
   void mark(std::int32_t pinball);
   void number(const SurfacePinballs<S>& pinballs);
 
-  std::array<Piece, fixed_pieces> piece_{};
+  std::array<PairPiece, fixed_pieces> piece_{};
   std::vector<std::int32_t> listed_, slot_;
   Array<std::int32_t> first_, second_;
   Array<S> offset_, stored_;

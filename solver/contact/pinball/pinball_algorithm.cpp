@@ -1,7 +1,6 @@
 #include "pinball_algorithm.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <kernels/exec.hpp>
@@ -26,17 +25,6 @@ std::array<S, 3> centre_of(const S* records, const std::array<std::int32_t, 8>& 
   return {S(0.125) * sum[0], S(0.125) * sum[1], S(0.125) * sum[2]};
 }
 
-/// Radius of the ball of the element's present volume, as in update_pinball_pack but for the rounding of the cube root.
-template <class S>
-S current_radius(const SurfaceSource<S>& source, const std::array<std::int32_t, 8>& corners) {
-  Vec3<S> x[8];
-  for (std::size_t i = 0; i < 8; ++i) {
-    x[i] = vector_of(source.x(corners[i]));
-  }
-  const HexahedronModes<S> modes = to_modes(x);
-  return ball_radius_of_cube(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes))));
-}
-
 }  // namespace
 
 template <class S>
@@ -53,6 +41,7 @@ PinballAlgorithm<S>::PinballAlgorithm(const ContactSettings& settings, const Sur
              [this](std::int64_t slot) { return surface_.exposed(slot) != 0; });
   all_.update(source, settings.radius_factor, surface_, exposed, all_before_);
   watch_nodes(source);
+  give_lists(source);
 }
 
 template <class S>
@@ -79,6 +68,7 @@ void PinballAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const s
   lost_energy_ = 0;
   if (surface_.remove_eroded(eroded)) {
     surface_changed_ = true;
+    kernels_->bring_back();
     update_exposure();
     lost_energy_ = list_.end_pairs_of_inactive(pinballs_.outward.data());
     for (const std::int32_t slot : surface_.uncovered()) {
@@ -89,39 +79,53 @@ void PinballAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const s
       lost_energy_ += on_faces_->remove_eroded(eroded);
       list_valid_ = list_valid_ && on_faces_->complete();
     }
+    give_lists(source);
   }
   update_geometry(source);
 }
 
 template <class S>
-void PinballAlgorithm<S>::update_geometry(const SurfaceSource<S>& source) {
-  using T = Pack<S, native_width<S>>;
-  const PinballGeometryView<S> view = pinballs_.geometry();
-  const S* position = source.position;
-  const S* velocity = source.velocity;
-  const RangePolicy<> packs{0, (pinballs_.count + width_of<T> - 1) / width_of<T>};
-  if (this->settings_.radius == ContactRadius::current) {
-    parallel_for("pinballs", packs,
-                 [&](std::int64_t pack) { update_pinball_pack<T, true>(view, position, velocity, pack); });
-  } else {
-    parallel_for("pinballs", packs,
-                 [&](std::int64_t pack) { update_pinball_pack<T, false>(view, position, velocity, pack); });
+bool PinballAlgorithm<S>::work_with(std::unique_ptr<PinballKernels<S>>& kernels) {
+  if (this->impulses_ || this->pairs_ || on_faces_) return false;
+  device_kernels_ = std::move(kernels);
+  kernels_ = device_kernels_.get();
+  return true;
+}
+
+template <class S>
+void PinballAlgorithm<S>::give_lists(const SurfaceSource<S>& source) {
+  PinballArrays<S> arrays;
+  arrays.pinballs = pinballs_.count;
+  arrays.geometry = pinballs_.geometry();
+  arrays.force = pinballs_.force.data();
+  arrays.pairs = list_.listed_pairs();
+  arrays.pieces = list_.pieces();
+  arrays.nodes = node_;
+  arrays.node_count = source.node_count;
+  arrays.expected = motion_.expected();
+  arrays.balls = static_cast<std::int32_t>(radius_.size());
+  if (!radius_.empty()) {
+    arrays.corner = all_.corners.front().data();
+    arrays.radius = radius_.data();
   }
+  arrays.tile_first = pinballs_.tile_first;
+  if (source.tile_colours != nullptr) tile_colours_ = *source.tile_colours;
+  arrays.colour_offsets = tile_colours_.colour_offsets;
+  arrays.tiles = tile_colours_.items;
+  kernels_->take(arrays);
+}
+
+template <class S>
+void PinballAlgorithm<S>::update_geometry(const SurfaceSource<S>& source) {
+  kernels_->update_geometry(source.nodes(false), this->settings_.radius == ContactRadius::current);
 }
 
 template <class S>
 bool PinballAlgorithm<S>::list_holds(const SurfaceSource<S>& source) const {
-  if (!list_valid_ || clock_.over() || !motion_.holds(source.position, clock_.elapsed())) return false;
-  bool grown = false;
-  parallel_reduce(
-      "radii", RangePolicy<>{0, std::ssize(radius_)}, grown,
-      [&](std::int64_t begin, std::int64_t end, bool& partial) {
-        for (std::int64_t p = begin; p < end && !partial; ++p) {
-          partial = !(current_radius(source, all_.corners[p]) <= static_cast<S>(radius_growth) * radius_[p]);
-        }
-      },
-      [](bool& whole, bool partial) { whole = whole || partial; });
-  return !grown;
+  if (!list_valid_ || clock_.over()) return false;
+  const SurfaceNodes<S> nodes = source.nodes(false);
+  if (kernels_->any_strays(nodes, clock_.elapsed())) return false;
+  return radius_.empty() || !kernels_->any_grows(nodes, static_cast<S>(radius_growth));
 }
 
 template <class S>
@@ -132,6 +136,7 @@ void PinballAlgorithm<S>::search(const SurfaceSource<S>& source, double /*dt*/) 
   }
   source.before_search();
   ++this->searches_;
+  kernels_->bring_back();
   build_list(source);
   update_geometry(source);
 }
@@ -161,7 +166,7 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
     const std::size_t p = i;
     std::array<S, 3> way = centre_of(source.velocity, all_.corners[p]);
     for (S& w : way) w *= horizon;
-    if (current) radius_[p] = current_radius(source, all_.corners[p]);
+    if (current) radius_[p] = present_radius(source.position, all_.corners[p].data());
     const S radius = current ? radius_[p] : all_.radius[p];
     balls_.set(i, centre_of(source.position, all_.corners[p]), way,
                factor * radius + motion_.allowance(all_.corners[p]));
@@ -199,6 +204,7 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   });
   update_exposure();
   list_nodes(source.node_count);
+  give_lists(source);
 }
 
 template <class S>
@@ -227,7 +233,7 @@ void PinballAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, doubl
 template <class S>
 ContactWork PinballAlgorithm<S>::spring_forces(const SurfaceSource<S>& source, S dt) {
   clock_.count_step(dt);
-  const PairSums<S> sums = pair_forces_.compute(pinballs_.view(), penalty_, list_, dt, pinballs_.force.data());
+  const PairSums<S> sums = kernels_->find_forces(penalty_, dt);
   ContactWork work;
   work.stored = sums.stored;
   work.eroded = lost_energy_;
@@ -253,42 +259,17 @@ ContactWork PinballAlgorithm<S>::spring_forces(const SurfaceSource<S>& source, S
 template <class S>
 void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) {
   if (work.pairs == 0) return;
-  const Colouring& colours = *source.tile_colours;
-  const S* force = pinballs_.force.data();
-  S* nodal_force = source.force;
-  const auto corner = [this](std::int32_t p, int i) {
-    return pinballs_.corner[place_in_packs<native_width<S>>(p, i, 8)];
-  };
-  parallel_for_coloured("contact scatter", DefaultExecutionSpace{}, colours.colour_offsets.data(),
-                        colours.colour_offsets.size() - 1, colours.items.data(), [&](std::int32_t tile) {
-                          for (std::int32_t p = pinballs_.tile_first[tile]; p < pinballs_.tile_first[tile + 1]; ++p) {
-                            const S* f = record(force, p);
-                            if (!(f[3] > S(0))) continue;
-                            for (int i = 0; i < 8; ++i) {
-                              add_to_node(record(nodal_force, corner(p, i)), f);
-                            }
-                          }
-                        });
+  const SurfaceNodes<S> nodes = source.nodes(true);
+  kernels_->add_forces(nodes);
   if (on_faces_) on_faces_->add_forces(source);
   // Gershgorin: a pair of stiffness p2 enters the row of each of its 16 nodes with p2/8 (8/8 + 8/8) / m_I.
-  S largest = 0;
-  parallel_reduce(
-      "contact frequency", RangePolicy<>{0, std::ssize(node_)}, largest,
-      [&](std::int64_t begin, std::int64_t end, S& partial) {
-        for (std::int64_t n = begin; n < end; ++n) {
-          const std::int32_t node = node_[n];
-          const S row = record(nodal_force, node)[3] * source.inverse_mass[node];
-          partial = row > partial ? row : partial;
-        }
-      },
-      [](S& whole, const S& partial) { whole = partial > whole ? partial : whole; });
-  work.frequency2 = this->damping_factor_ * largest;
+  work.frequency2 = this->damping_factor_ * kernels_->largest_row(nodes);
 }
 
 template <class S>
 void PinballAlgorithm<S>::add_pair_forces_of_springs(std::vector<Point>& sums) const {
   if (!this->pairs_) return;
-  pair_forces_.for_each_touch([&](std::int32_t first, std::int32_t second, const Point& force) {
+  host_kernels_.pair_forces().for_each_touch([&](std::int32_t first, std::int32_t second, const Point& force) {
     const PairOf of = this->pairs_->elements(pinballs_.slot[first], pinballs_.corners[first], pinballs_.slot[second],
                                              pinballs_.corners[second]);
     if (of.pair < 0) return;
@@ -302,12 +283,14 @@ void PinballAlgorithm<S>::put_radii(const SurfaceSource<S>& source, std::vector<
   const bool current = this->settings_.radius == ContactRadius::current;
   for (std::size_t p = 0; p < all_.slot.size(); ++p) {
     if (surface_.exposed(all_.slot[p]) == 0) continue;  // behind the surface, or eroded
-    slot_radius[all_.slot[p]] = static_cast<double>(current ? current_radius(source, all_.corners[p]) : all_.radius[p]);
+    slot_radius[all_.slot[p]] =
+        static_cast<double>(current ? present_radius(source.position, all_.corners[p].data()) : all_.radius[p]);
   }
 }
 
 template <class S>
 void PinballAlgorithm<S>::add_node_forces(std::span<Point> node_force) const {
+  kernels_->bring_back();
   const std::size_t count = pinballs_.count;
   for (std::size_t p = 0; p < count; ++p) {
     if (!(pinballs_.outward[4 * p + 3] > S(0))) continue;
@@ -323,6 +306,7 @@ void PinballAlgorithm<S>::add_node_forces(std::span<Point> node_force) const {
 
 template <class S>
 void PinballAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
+  kernels_->bring_back();
   ContactAlgorithm<S>::persist(archive, source);
   surface_.persist(archive, source);
   all_.persist(archive, source, this->settings_.radius_factor);
@@ -336,14 +320,16 @@ void PinballAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>&
   archive.of_fixed_size(pinballs_.centre);
   archive.of_fixed_size(pinballs_.outward);
   archive.of_fixed_size(pinballs_.force);  // for the report alone
+  if (archive.reads()) give_lists(source);
 }
 
 template <class S>
 std::size_t PinballAlgorithm<S>::bytes() const {
-  return pinballs_.bytes() + list_.bytes() + pair_forces_.bytes() + surface_.bytes() + all_.bytes() +
+  return pinballs_.bytes() + list_.bytes() + host_kernels_.bytes() + surface_.bytes() + all_.bytes() +
          all_before_.bytes() + balls_.bytes() + motion_.bytes() + radius_.capacity() * sizeof(S) +
          node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() +
-         (this->impulses_ ? this->impulses_->bytes() : 0) + (on_faces_ ? on_faces_->bytes() : 0);
+         (this->impulses_ ? this->impulses_->bytes() : 0) + (on_faces_ ? on_faces_->bytes() : 0) +
+         (device_kernels_ ? device_kernels_->bytes() : 0);
 }
 
 template class PinballAlgorithm<double>;

@@ -10,7 +10,7 @@
 #include <solver/contact/spheres/sphere_springs.hpp>
 #include <solver/contact/surface/surface.hpp>
 
-#include "pair_forces.hpp"
+#include "host_pinballs.hpp"
 #include "pair_list.hpp"
 #include "pinball_store.hpp"
 #include "surface_pinballs.hpp"
@@ -25,6 +25,8 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
 
   /// Figure 3, 1-3: takes eroded elements out, brings centres, velocities and normals up to date.
   void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) override;
+  /// Springs between balls alone, and no sums for pairs of the scene.
+  bool work_with(std::unique_ptr<PinballKernels<S>>& kernels) override;
   /// Figure 3, 4: the pairs that may touch, unless the list still holds.
   void search(const SurfaceSource<S>& source, double dt) override;
 
@@ -54,6 +56,8 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   /// Builds the list for a time to come, and the store of the pinballs that are in it.
   void build_list(const SurfaceSource<S>& source);
   void collect_listed(const SurfaceSource<S>& source);
+  /// Gives the kernels the lists, and what they remember, as they are now.
+  void give_lists(const SurfaceSource<S>& source);
   void list_nodes(std::int32_t node_count);
   /// Exposed faces of the listed pinballs, and which of them take part.
   void update_exposure();
@@ -71,11 +75,14 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   SurfaceMotion<S> motion_;
   MovingBalls<S> balls_;  ///< one for each of all pinballs
   PairList<S> list_;
-  PairForces<S> pair_forces_;
   PinballStore<S> pinballs_;             ///< those in the list
   std::vector<std::int32_t> node_;       ///< corners of the listed pinballs, from the lowest up
   std::vector<std::uint8_t> is_listed_;  ///< per node of the store: among these
-  std::vector<S> radius_;                ///< of all pinballs, when the list was built; only where radii change [length]
+  Colouring tile_colours_;               ///< of the source, when lists were given
+  HostPinballs<S> host_kernels_;
+  std::unique_ptr<PinballKernels<S>> device_kernels_;  ///< in place of these
+  PinballKernels<S>* kernels_ = &host_kernels_;        ///< one of both
+  std::vector<S> radius_;  ///< of all pinballs, when the list was built; only where radii change [length]
   PenaltyConstants<S> penalty_;
   bool list_valid_ = false;
   bool surface_changed_ = false;  ///< since the pinballs of the surface were chosen

@@ -16,6 +16,7 @@ namespace pinball {
 template <class S>
 struct PinballStore {
   std::int32_t count = 0;
+  int row = 1;                                       ///< W
   Array<std::int32_t> corner;                        ///< in tiles of W
   Array<S> exposed;                                  ///< in tiles of W
   Array<S> bulk_modulus;                             ///< in tiles of W
@@ -31,6 +32,7 @@ struct PinballStore {
   /// Makes room for n pinballs; all numbers but of `slot` and `corners` are zero.
   void reset(std::int32_t n, int width) {
     count = n;
+    row = width;
     const std::size_t padded = (n + width - 1) / width * width;
     corner.reset(8 * padded);
     exposed.reset(6 * padded);
@@ -40,10 +42,9 @@ struct PinballStore {
     slot.resize(n);
   }
 
-  PinballView<S> view() const { return {centre.data(), velocity.data(), outward.data(), two_sided.data()}; }
   PinballGeometryView<S> geometry() {
     return {corner.data(),   exposed.data(), bulk_modulus.data(), centre.data(),
-            velocity.data(), outward.data(), two_sided.data()};
+            velocity.data(), outward.data(), two_sided.data(),    row};
   }
   std::size_t bytes() const {
     return corner.bytes() + exposed.bytes() + bulk_modulus.bytes() + centre.bytes() + velocity.bytes() +

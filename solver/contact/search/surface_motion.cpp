@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <kernels/exec.hpp>
-#include <kernels/gather.hpp>
 #include <solver/base/records.hpp>
 
 namespace pinball {
@@ -14,18 +13,6 @@ namespace {
 
 // Allowances over skin times size. Where little happens a short one keeps neighbours of one surface out of the list.
 constexpr double least = 0.1, most = 2.0;
-
-/// Squares of the distances of a pack of nodes from where they are expected. start: their positions and velocities.
-template <class T>
-PINBALL_FUNCTION T deviation2(const ScalarOf<T>* position, const std::int32_t* node, const ScalarOf<T>* start,
-                              ScalarOf<T> elapsed) {
-  constexpr int W = width_of<T>;
-  const Vec3<T> x = gather_vectors<T>(position, node);
-  const Vec3<T> x0{load<T>(start), load<T>(start + W), load<T>(start + 2 * W)};
-  const Vec3<T> v0{load<T>(start + 3 * W), load<T>(start + 4 * W), load<T>(start + 5 * W)};
-  const Vec3<T> e = x - x0 - T(elapsed) * v0;
-  return dot(e, e);
-}
 
 }  // namespace
 
@@ -39,11 +26,12 @@ void SurfaceMotion<S>::adapt(const S* position, S elapsed, S horizon) {
   using T = Pack<S, native_width<S>>;
   constexpr std::size_t W = native_width<S>;
   if (!(elapsed > S(0))) return;
+  const ExpectedNodes<S> expected = this->expected();
   // A steady force makes a node stray with the square of time.
   const S growth = 2 * std::max(S(1), horizon / elapsed * (horizon / elapsed));
   parallel_for("allowances", RangePolicy<>{0, packs()}, [&](std::int64_t pack) {
     const std::size_t first = pack * W;
-    const T deviation = square_root(deviation2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed));
+    const T deviation = square_root(deviation2<T>(expected, position, elapsed, pack));
     for (std::size_t i = 0; i < W; ++i) {
       float& allowance = allowance_[node_[first + i]];
       allowance = std::max(0.5F * allowance, static_cast<float>(growth * lane(deviation, i)));
@@ -90,34 +78,33 @@ void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
 }
 
 template <class S>
+ExpectedNodes<S> SurfaceMotion<S>::expected() const {
+  return {static_cast<std::int64_t>(count_), node_.data(), start_.data(), allowed2_.data(), native_width<S>};
+}
+
+template <class S>
 bool SurfaceMotion<S>::holds(const S* position, S elapsed) const {
+  return !any_strays(expected(), position, elapsed);
+}
+
+template <class S>
+bool any_strays(const ExpectedNodes<S>& nodes, const S* position, S elapsed) {
   using T = Pack<S, native_width<S>>;
-  constexpr std::size_t W = native_width<S>;
-  bool deviates = false;
-  parallel_reduce(
-      "deviations", RangePolicy<>{0, packs()}, deviates,
-      [&](std::int64_t begin, std::int64_t end, bool& partial) {
-        for (auto pack = static_cast<std::size_t>(begin); pack < static_cast<std::size_t>(end); ++pack) {
-          const std::size_t first = pack * W;
-          const T e2 = deviation2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed);
-          partial = partial || any_lane(!(e2 <= load<T>(allowed2_.data() + first)));
-        }
-      },
-      [](bool& whole, bool partial) { whole = whole || partial; });
-  return !deviates;
+  const std::int64_t packs = nodes.count / width_of<T>;
+  return first_where("deviations", packs, NodesStray<T>{nodes, position, elapsed}) < packs;
 }
 
 template <class S>
 void SurfaceMotion<S>::find_strayed(const S* position, S elapsed, std::vector<std::int32_t>& places) const {
   using T = Pack<S, native_width<S>>;
   constexpr std::size_t W = native_width<S>;
+  const ExpectedNodes<S> expected = this->expected();
   std::array<std::vector<std::int32_t>, fixed_pieces> found;
   parallel_for("nodes that strayed", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const std::int64_t end = packs() * (piece + 1) / fixed_pieces;
     for (std::int64_t pack = packs() * piece / fixed_pieces; pack < end; ++pack) {
       const std::size_t first = pack * W;
-      const T e2 = deviation2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed);
-      unsigned bits = lane_bits<T>(!(e2 <= load<T>(allowed2_.data() + first)));
+      unsigned bits = strayed<T>(expected, position, elapsed, pack);
       for (; bits != 0; bits &= bits - 1) found[piece].push_back(first + __builtin_ctz(bits));
     }
   });
@@ -179,5 +166,7 @@ std::size_t SurfaceMotion<S>::bytes() const {
 
 template class SurfaceMotion<double>;
 template class SurfaceMotion<float>;
+template bool any_strays(const ExpectedNodes<double>&, const double*, double);
+template bool any_strays(const ExpectedNodes<float>&, const float*, float);
 
 }  // namespace pinball

@@ -8,6 +8,7 @@
 
 #include <kernels/exec/array.hpp>
 #include <kernels/simd.hpp>
+#include <kernels/straying.hpp>
 #include <kernels/tensor.hpp>
 #include <solver/base/lists_in_order.hpp>
 #include <solver/base/state_archive.hpp>
@@ -68,6 +69,8 @@ class SurfaceMotion {
 
   /// The nodes watched, some perhaps several times.
   std::span<const std::int32_t> nodes() const { return node_; }
+  /// All of them, as loops see them.
+  ExpectedNodes<S> expected() const;
   /// Whether no node has strayed further than allowed after this time; false if a position is not a number.
   bool holds(const S* position, S elapsed) const;
   /// Those of the nodes watched that have: places in nodes(), without padding, ascending.
@@ -109,6 +112,10 @@ class SurfaceMotion {
   Array<S> allowed2_;               ///< square of the allowance [length^2]
   std::vector<float> allowance_;    ///< per node of the store [length]
 };
+
+/// Whether any of these nodes has strayed further than allowed after this time, by the threads of the host.
+template <class S>
+bool any_strays(const ExpectedNodes<S>& nodes, const S* position, S elapsed);
 
 template <class S>
 template <class NodeOf, class SizeOf>

@@ -16,6 +16,7 @@
 
 #include "contact_pairs.hpp"
 #include "held_directions.hpp"
+#include "surface_nodes.hpp"
 
 namespace pinball {
 
@@ -86,6 +87,11 @@ class SurfaceSource : public NodeRecords<S> {
   /// Called before lists are built on the motion of nodes, all of those with which the surface moves: of some of them
   /// nothing was read before. nodes: some perhaps several times.
   virtual void before_motion(std::span<const std::int32_t> /*nodes*/) const {}
+  /// The nodes for loops over them that run where the state of a step is (PinballKernels): these, or those of a device.
+  /// loads: they add forces.
+  virtual SurfaceNodes<S> nodes(bool /*loads*/) const {
+    return {this->position, this->velocity, this->force, inverse_mass};
+  }
 
  protected:
   ~SurfaceSource() = default;
