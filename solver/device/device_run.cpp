@@ -12,6 +12,7 @@
 #include <solver/scene_rules.hpp>
 
 #include "body_elements.hpp"
+#include "device_pinballs.hpp"
 #include "devices.hpp"
 #include "resting_list.hpp"
 
@@ -164,6 +165,18 @@ std::unique_ptr<BoundaryKernels<S>> DeviceRun<S>::boundary_kernels() const {
 #endif
 #if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
   return make_gpu_boundary_kernels<S>(layout_.places_of_slots());
+#else
+  return {};
+#endif
+}
+
+template <class S>
+std::unique_ptr<PinballKernels<S>> DeviceRun<S>::pinball_kernels() const {
+#if defined(PINBALL_WITH_MOCK)
+  if (device_ == Device::mock) return make_mock_pinball_kernels<S>();
+#endif
+#if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
+  return make_gpu_pinball_kernels<S>();
 #else
   return {};
 #endif

@@ -36,6 +36,7 @@ class DeviceRun final : public StepSpace<S> {
   DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>& schedule);
 
   std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const override;
+  std::unique_ptr<PinballKernels<S>> pinball_kernels() const override;
   NodeArrays<S> nodes(NodeNumbers changes) override;
   InternalForceResult<S> update_elements(const Due& due, const ElementStep<S>& step, bool more_forces) override;
   MotionEnergy integrate(const Due& due, const StepLengths& step) override;

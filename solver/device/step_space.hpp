@@ -9,6 +9,7 @@
 #include <kernels/boundary/node_arrays.hpp>
 #include <kernels/node_update.hpp>
 #include <solver/boundary/space/boundary_kernels.hpp>
+#include <solver/contact/algorithm/pinball_kernels.hpp>
 #include <solver/contact/surface/surface.hpp>
 #include <solver/elements/internal_forces.hpp>
 #include <solver/elements/schedule.hpp>
@@ -32,8 +33,9 @@ constexpr bool has(NodeNumbers numbers, NodeNumbers some) {
 /// several ranks, or a device. A step asks for all of it in the same words.
 ///
 /// Contact, ties and rigid bodies work on the model, in the memory of the host, and there on some nodes alone: the
-/// common ones. What they read of these has to be shown to them before, and what they have changed to be taken after;
-/// the host's own space has nothing to do for either.
+/// common ones; but for what contact does in steps that its lists last for, where there are kernels for it. What they
+/// read of these has to be shown to them before, and what they have changed to be taken after; the host's own space has
+/// nothing to do for either.
 template <class S>
 class StepSpace {
  public:
@@ -42,6 +44,8 @@ class StepSpace {
   // ---- Loops over all elements and nodes ----
 
   virtual std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const = 0;
+  /// Null: contact has its own, on the host.
+  virtual std::unique_ptr<PinballKernels<S>> pinball_kernels() const = 0;
   /// What these work on, with all that was taken. changes: what they are going to change.
   virtual NodeArrays<S> nodes(NodeNumbers changes) = 0;
   /// Adds the internal forces of what is due to the nodes and updates element states (InternalForces::compute).

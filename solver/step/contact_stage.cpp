@@ -9,10 +9,10 @@ ContactWork ContactStage<S>::before_constraints(Model<S>& model, double time, do
                                                 RunCounts& counts) {
   if (!built::contact || !contact_) return {};
   contact_->set_time(time);
-  const SpaceSurface<S> source(model, space_, contact_->surface());
+  const SpaceSurface<S> source(model, space_, contact_->surface(), in_space_);
   timers.measure(Phase::pinballs, [&] {
     const std::vector<std::int64_t> eroded = space_.eroded_slots();
-    space_.show(NodeNumbers::all);
+    if (!in_space_) space_.show(NodeNumbers::all);
     contact_->update_surface(source, eroded);
   });
   const std::int64_t searches = contact_->searches();
@@ -22,7 +22,7 @@ ContactWork ContactStage<S>::before_constraints(Model<S>& model, double time, do
   ContactWork work = timers.measure(Phase::contact_forces, [&] { return contact_->before_step(source, dt); });
   timers.measure(Phase::contact_scatter, [&] {
     contact_->add_forces(source, work);
-    if (!contact_->acts_on_velocities()) space_.take(NodeNumbers::force);
+    if (!in_space_ && !contact_->acts_on_velocities()) space_.take(NodeNumbers::force);
   });
   return work;
 }

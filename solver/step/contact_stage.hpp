@@ -24,7 +24,10 @@ class ContactStage {
   ContactStage(const Model<S>& model, StepSpace<S>& space)
       : space_(space),
         contact_(make_model_contact(model)),
-        pairs_(contact_ ? model.scene.contact_pairs : std::vector<ContactPair>()) {}
+        pairs_(contact_ ? model.scene.contact_pairs : std::vector<ContactPair>()) {
+    std::unique_ptr<PinballKernels<S>> kernels = space.pinball_kernels();
+    in_space_ = contact_ && kernels && contact_->work_with(kernels);
+  }
 
   const ContactAlgorithm<S>* contact() const { return contact_.get(); }
   /// Whether after_constraints adds forces, some of them perhaps in held directions.
@@ -68,6 +71,7 @@ class ContactStage {
   StepSpace<S>& space_;
   std::unique_ptr<ContactAlgorithm<S>> contact_;
   PairLedger pairs_;
+  bool in_space_ = false;  ///< the loops of contact run there
 };
 
 }  // namespace pinball

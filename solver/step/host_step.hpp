@@ -19,6 +19,7 @@ class HostStep final : public StepSpace<S> {
       : model_(model), forces_(forces), schedule_(schedule), domain_(domain) {}
 
   std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const override;
+  std::unique_ptr<PinballKernels<S>> pinball_kernels() const override { return nullptr; }
   NodeArrays<S> nodes(NodeNumbers /*changes*/) override;
   InternalForceResult<S> update_elements(const Due& due, const ElementStep<S>& step, bool /*more_forces*/) override {
     return forces_.compute(model_, schedule_, due, step);

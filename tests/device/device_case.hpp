@@ -14,6 +14,15 @@
 /// touch, and where the compiler can make it on an emulated GPU (emulated/emulated_device.hpp).
 namespace pinball::test {
 
+/// A rod that erodes on a plate, and the plate under it: balls with penalty.
+inline Scene eroding_rod() {
+  Scene scene = scene_of({block("rod", {3, 3, 8}, 5e-3, {12.5e-3, 12.5e-3, 10.3e-3}, {0, 20, -700}, "soft"),
+                          block("plate", {8, 8, 2}, 5e-3, {0, 0, 0}, {}, "soft")},
+                         40e-6);
+  scene.materials = {plastic_material("soft", 2e8, 0.3)};
+  return scene;
+}
+
 template <class S>
 std::uint64_t hash_on(Scene scene, Device device) {
   scene.device = device;
@@ -30,13 +39,9 @@ inline constexpr bool same_bits =
     false;
 #endif
 
+/// Of two runs, the second of the host alone.
 template <class S>
-void expect_same_run(const Scene& scene, Device on) {
-  Scene on_device = scene;
-  on_device.device = on;
-  Solver<S> host(scene), device(on_device);
-  run(host);
-  run(device);
+void expect_same_state(Solver<S>& device, Solver<S>& host) {
   if (same_bits) {
     EXPECT_EQ(state_hash(device.model()), state_hash(host.model()));
   }
@@ -52,11 +57,21 @@ void expect_same_run(const Scene& scene, Device on) {
   }
 }
 
-/// Begins with one device, goes on with another from what the first has saved.
-inline std::uint64_t hash_of_parts(Scene scene, Device first, Device second) {
+template <class S>
+void expect_same_run(const Scene& scene, Device on) {
+  Scene on_device = scene;
+  on_device.device = on;
+  Solver<S> host(scene), device(on_device);
+  run(host);
+  run(device);
+  expect_same_state(device, host);
+}
+
+/// Begins with one device, goes on with another from what the first has saved after some steps.
+inline std::uint64_t hash_of_parts(Scene scene, Device first, Device second, int steps = 20) {
   scene.device = first;
   Solver<double> before(scene);
-  for (int i = 0; i < 20; ++i) before.step();
+  for (int i = 0; i < steps; ++i) before.step();
   const StateBytes bytes = test::saved(before);
   scene.device = second;
   Solver<double> after(scene);

@@ -180,6 +180,7 @@ struct Device {
   char* parameters = static_cast<char*>(map_pages(parameter_room));
   std::size_t parameters_used = 0;
   Pieces memory, pinned;
+  Counts counts;
 
   static Device& instance() {
     static Device& device = *new Device;  // arrays with static lifetime may be gone last
@@ -246,11 +247,17 @@ void check_parameter(const void* parameter, std::size_t bytes) {
 void launch(unsigned blocks, unsigned threads, Kernel kernel, const void* parameters) {
   if (blocks == 0 || threads == 0) stop("a launch of no threads");
   Device::instance().launches.push_back({blocks, threads, kernel, parameters});
+  ++Device::instance().counts.launches;
 }
 
 void barrier() { Threads::wait_for_others(); }
 
-void wait() { run_all(); }
+void wait() {
+  run_all();
+  ++Device::instance().counts.waits;
+}
+
+Counts counts() { return Device::instance().counts; }
 
 void* allocate(std::size_t bytes) {
   const std::size_t room = whole_pages(bytes);
@@ -269,8 +276,11 @@ void release(void* memory) {
 
 void copy(void* to, const void* from, std::size_t bytes, Copy kind) {
   run_all();
-  const Device& device = Device::instance();
+  Device& device = Device::instance();
   if (bytes == 0) return;
+  ++device.counts.waits;
+  if (kind == Copy::host_to_device) device.counts.to_device += static_cast<std::int64_t>(bytes);
+  if (kind == Copy::device_to_host) device.counts.to_host += static_cast<std::int64_t>(bytes);
   if (device.memory.have(to, bytes) != (kind != Copy::device_to_host) ||
       device.memory.have(from, bytes) != (kind != Copy::host_to_device)) {
     stop("a copy of the wrong kind, or beyond the end of memory");

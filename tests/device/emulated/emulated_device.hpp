@@ -35,6 +35,15 @@ extern Coordinates coordinates;
 
 using Kernel = void (*)(const void* parameters);
 
+/// What the host has asked of it since the program began.
+struct Counts {
+  std::int64_t launches = 0;
+  std::int64_t waits = 0;      ///< for kernels, and copies
+  std::int64_t to_device = 0;  ///< copied [bytes]
+  std::int64_t to_host = 0;    ///< copied [bytes]; results of sums are none
+};
+Counts counts();
+
 /// Memory in which the parameters of a launch stay until it has run.
 void* parameters_of_launch(std::size_t bytes);
 /// Ends the process where a parameter has the address of anything of the host. Its padding has to be zero.
