@@ -138,6 +138,14 @@ TEST(AbaqusDeck, WhatIsNotClosedIsToldWithItsPlace) {
             "a.inp:3: *INSTANCE: expected *END INSTANCE before the end of the deck");
   EXPECT_THAT(error_of("*END PART\n"), HasSubstr("a.inp:1: *END PART: nothing is open that it closes"));
   EXPECT_THAT(error_of("*STEP\n*STEP\n"), HasSubstr("a.inp:2: *STEP: the step before it is not closed"));
+  EXPECT_EQ(error_of("*STEP\n*END STEP\n*STEP\n*CLOAD\n"),
+            "a.inp:3: *STEP: expected *END STEP before the end of the deck");
+  EXPECT_EQ(error_of("*STEP\n*END STEP\n*END STEP\n"), "a.inp:3: *END STEP: nothing is open that it closes");
+  EXPECT_EQ(error_of("*HEADING\n*ASSEMBLY, NAME=a\n*NSET, NSET=s\n"),
+            "a.inp:2: *ASSEMBLY: expected *END ASSEMBLY before the end of the deck");
+  EXPECT_EQ(error_of("*ASSEMBLY, NAME=a\n*ASSEMBLY, NAME=b\n"),
+            "a.inp:2: *ASSEMBLY: the one before it is not closed by *END ASSEMBLY");
+  EXPECT_EQ(error_of("*END ASSEMBLY\n"), "a.inp:1: *END ASSEMBLY: nothing is open that it closes");
   const std::string part = "*PART, NAME=p\n", instance = "*INSTANCE, NAME=i, PART=p\n";
   for (const std::string& first : {part, instance}) {
     for (const std::string& second : {part, instance}) {
@@ -152,7 +160,7 @@ TEST(AbaqusDeck, InstancesThatAreWrittenAlikeButForQuotesHaveNamesOfTheirOwn) {
   const AbaqusDeck deck = parse(
       "*PART, NAME=p\n*END PART\n*ASSEMBLY, NAME=a\n*INSTANCE, NAME=low, PART=p\n*END INSTANCE\n*INSTANCE, "
       "NAME=\"low\", PART=p\n"
-      "*END INSTANCE\n*INSTANCE, NAME=Top, PART=p\n*END INSTANCE\n");
+      "*END INSTANCE\n*INSTANCE, NAME=Top, PART=p\n*END INSTANCE\n*END ASSEMBLY\n");
   std::vector<std::string> names;
   for (const AbaqusComponent& component : abaqus_components(deck)) names.push_back(component.name);
   EXPECT_THAT(names, ElementsAre("LOW", "low", "Top", "")) << "the last is what belongs to none";

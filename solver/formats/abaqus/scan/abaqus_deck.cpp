@@ -147,7 +147,7 @@ class AbaqusReader {
     const std::string& name = block.name;
     if (name == "PART") open_part(part_, block);
     if (name == "INSTANCE") open_part(instance_, block);
-    if (name == "ASSEMBLY") assembly_ = true;
+    if (name == "ASSEMBLY") open_assembly(block);
     if (name == "STEP") open_step(block);
     block.part = part_;
     block.instance = instance_;
@@ -155,8 +155,8 @@ class AbaqusReader {
     block.step = in_step_ ? steps_ : 0;
     if (name == "ENDPART") close(part_, block);
     if (name == "ENDINSTANCE") close(instance_, block);
-    if (name == "ENDASSEMBLY") assembly_ = false;
-    if (name == "ENDSTEP") in_step_ = false;
+    if (name == "ENDASSEMBLY") close(assembly_, block);
+    if (name == "ENDSTEP") close(in_step_, block);
   }
 
   void open_part(std::string& open, const AbaqusBlock& block) {
@@ -171,15 +171,29 @@ class AbaqusReader {
     open.clear();
   }
 
+  static void close(bool& open, const AbaqusBlock& block) {
+    if (!open) fail_at(block.place, block.star_name() + ": nothing is open that it closes");
+    open = false;
+  }
+
+  void open_assembly(const AbaqusBlock& block) {
+    if (assembly_) fail_at(block.place, "*ASSEMBLY: the one before it is not closed by *END ASSEMBLY");
+    assembly_ = true;
+    assembly_opened_ = block.place;
+  }
+
   void open_step(const AbaqusBlock& block) {
     if (in_step_) fail_at(block.place, "*STEP: the step before it is not closed by *END STEP");
     in_step_ = true;
+    step_opened_ = block.place;
     ++steps_;
   }
 
   void require_closed() const {
     if (!part_.empty()) fail_at(opened_, "*PART: expected *END PART before the end of the deck");
     if (!instance_.empty()) fail_at(opened_, "*INSTANCE: expected *END INSTANCE before the end of the deck");
+    if (assembly_) fail_at(assembly_opened_, "*ASSEMBLY: expected *END ASSEMBLY before the end of the deck");
+    if (in_step_) fail_at(step_opened_, "*STEP: expected *END STEP before the end of the deck");
   }
 
   void open_included(const std::string& name, const DeckPlace& place) {
@@ -205,7 +219,7 @@ class AbaqusReader {
   DeckFiles files_;
   std::vector<std::string> open_;
   std::string part_, instance_;
-  DeckPlace opened_;
+  DeckPlace opened_, assembly_opened_, step_opened_;
   bool assembly_ = false, in_step_ = false;
   int steps_ = 0;
 };
