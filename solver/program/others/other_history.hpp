@@ -21,14 +21,14 @@ struct OtherCurve {
 struct OtherHistory {
   std::string path;
   std::string kind;  ///< "glstat of LS-DYNA", "nodout of LS-DYNA", "dat of CalculiX", "T01 of Radioss", "binout of
-                     ///< LS-DYNA" or "table"
+                     ///< LS-DYNA", "d3plot of LS-DYNA", perhaps with how many of its states, or "table"
   std::vector<double> times;  ///< rising [time]
   std::vector<OtherCurve> curves;
 };
 
-/// Reads what LS-DYNA writes as text (glstat, nodout) or as a binout, CalculiX' .dat, T01 files of Radioss and tables
-/// whose first line has names, with commas, semicolons, tabs or blanks between the columns: history.csv, what
-/// OpenRadioss' th_to_csv and Abaqus' XY reports write, and those of spreadsheets. Where a time comes again, or an
+/// Reads what LS-DYNA writes as text (glstat, nodout), as a binout or as a d3plot, CalculiX' .dat, T01 files of Radioss
+/// and tables whose first line has names, with commas, semicolons, tabs or blanks between the columns: history.csv,
+/// what OpenRadioss' th_to_csv and Abaqus' XY reports write, and those of spreadsheets. Where a time comes again, or an
 /// earlier one, the run was taken up again there: what comes later counts. Throws InputError that names file and line,
 /// or byte.
 OtherHistory read_other_history(const std::string& path);

@@ -15,6 +15,7 @@
 #include "other_history.hpp"
 #include "read_binout.hpp"
 #include "read_calculix.hpp"
+#include "read_d3plot.hpp"
 #include "read_t01.hpp"
 
 namespace pinball {
@@ -208,9 +209,14 @@ OtherHistory read_other_history(const std::string& path) {
     read_t01(bytes, history);
   } else if (is_binout(bytes)) {
     read_binout(bytes, history);
+  } else if (is_d3plot(bytes)) {
+    read_d3plot(bytes, history);
+    least = 1;
   } else if (bytes.find('\0') != std::string::npos) {
     throw InputError(
-        fmt::format("{}: expected text, a binout of LS-DYNA or a T01 file of Radioss, got another binary file", path));
+        fmt::format("{}: expected text, a binout or a d3plot of LS-DYNA or a T01 file of Radioss, got another binary "
+                    "file",
+                    path));
   } else if (const std::vector<std::string> lines = lines_of(bytes); is_glstat(lines)) {
     read_glstat(lines, history);
   } else if (is_nodout(lines)) {
@@ -222,7 +228,8 @@ OtherHistory read_other_history(const std::string& path) {
     read_table(lines, history);
   }
   if (history.times.size() < least) {
-    throw InputError(fmt::format("{}: expected two times at least, got {}", path, history.times.size()));
+    throw InputError(fmt::format("{}: expected {} at least, got {}", path, least == 1 ? "one state" : "two times",
+                                 history.times.size()));
   }
   return history;
 }
