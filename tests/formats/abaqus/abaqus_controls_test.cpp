@@ -50,6 +50,24 @@ TEST_F(AbaqusControls, ScalesMassAtTheStartAlone) {
               HasSubstr("*VARIABLE MASS SCALING with DT beside *FIXED MASS SCALING with DT"));
 }
 
+TEST_F(AbaqusControls, FactorsAndViscositiesBelowZeroAreToldWithTheirLine) {
+  std::string section = abaqus_cube;
+  section.replace(section.find("MATERIAL=Steel"), 14, "MATERIAL=Steel, CONTROLS=c");
+  const auto controls = [&](const std::string& line) {
+    return error(section + abaqus_steel + "*SECTION CONTROLS, NAME=c, HOURGLASS=STIFFNESS\n" + line + "\n" +
+                 abaqus_step());
+  };
+  const std::string place = "deck.inp:24: *SECTION CONTROLS: ", wrong = ": expected a number >= 0, got -2";
+  EXPECT_EQ(controls("-2."), place + "hourglass factor" + wrong);
+  EXPECT_EQ(controls(",,,-2."), place + "factor of the linear bulk viscosity" + wrong);
+  EXPECT_EQ(controls(",,,,-2."), place + "factor of the quadratic bulk viscosity" + wrong);
+  const auto viscosity = [&](const std::string& line) {
+    return error(abaqus_cube + abaqus_steel + abaqus_step("*BULK VISCOSITY\n" + line + "\n"));
+  };
+  EXPECT_EQ(viscosity("-2."), "deck.inp:27: *BULK VISCOSITY: b1" + wrong);
+  EXPECT_EQ(viscosity("0.06,-2."), "deck.inp:27: *BULK VISCOSITY: b2" + wrong);
+}
+
 TEST_F(AbaqusControls, WritesAsOftenAsItIsAskedTo) {
   const Scene s = scene(
       abaqus_cube + abaqus_steel +

@@ -18,6 +18,15 @@ struct Controls {
   double coefficient = 1.0, linear = 1.0, quadratic = 1.0;
 };
 
+/// A field that cannot be below zero.
+double not_negative(const AbaqusBlock& block, const DataLine& card, std::size_t field, const char* what,
+                    double otherwise) {
+  const double value = DataFields(card).number(field, what, otherwise);
+  if (!(value >= 0))
+    fail_at(card.place, fmt::format("{}: {}: expected a number >= 0, got {}", block.star_name(), what, value));
+  return value;
+}
+
 /// Reports what of it this program does in another way.
 Controls read_controls(AbaqusData& data, const AbaqusBlock& block) {
   Controls controls;
@@ -27,10 +36,9 @@ Controls read_controls(AbaqusData& data, const AbaqusBlock& block) {
   DataLines lines(block);
   double factor = 1.0;
   if (const auto card = lines.next()) {
-    const DataFields f(*card);
-    factor = f.number(0, "hourglass factor", 1.0);
-    controls.linear = f.number(3, "factor of the linear bulk viscosity", 1.0);
-    controls.quadratic = f.number(4, "factor of the quadratic bulk viscosity", 1.0);
+    factor = not_negative(block, *card, 0, "hourglass factor", 1.0);
+    controls.linear = not_negative(block, *card, 3, "factor of the linear bulk viscosity", 1.0);
+    controls.quadratic = not_negative(block, *card, 4, "factor of the quadratic bulk viscosity", 1.0);
   }
   const std::string form = block.option("HOURGLASS");
   if (form == "VISCOUS") {
@@ -96,8 +104,7 @@ std::pair<double, double> bulk_viscosity(AbaqusData& data) {
     if (block.name != "BULKVISCOSITY") continue;
     DataLines lines(block);
     const DataLine card = lines.require("the coefficients");
-    const DataFields f(card);
-    const std::pair here{f.number(0, "b1", 0.06), f.number(1, "b2", 1.2)};
+    const std::pair here{not_negative(block, card, 0, "b1", 0.06), not_negative(block, card, 1, "b2", 1.2)};
     if (found && found != here) data.report.reject(block.place, "*BULK VISCOSITY that is another one than before");
     found = here;
   }

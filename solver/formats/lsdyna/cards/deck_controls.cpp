@@ -85,6 +85,14 @@ void write_damping(DeckData& data, DeckScene& scene) {
   keys.set("mass", factors[0] == 0 ? value : factors[0] * value, "valdmp");  // all blank: 1
 }
 
+/// 0: none. What is below it asks for nothing that there is.
+double interval_of(const DeckData& data, const std::string& name, const Card& card, const CardLayout& layout) {
+  const double interval = data.fields(card, layout).number("DT");
+  if (interval < 0)
+    data.report.unused(card.place, fmt::format("*{}: DT", name), "an interval is above 0: nothing is written for it");
+  return interval;
+}
+
 void write_output(DeckData& data, DeckScene& scene) {
   double rows = std::numeric_limits<double>::infinity();
   DeckCard of_rows;
@@ -92,7 +100,7 @@ void write_output(DeckData& data, DeckScene& scene) {
        {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "RBDOUT", "NODOUT", "ELOUT", "SLEOUT"}) {
     const auto card = last_card(data, std::string("DATABASE_") + name);
     if (!card) continue;
-    const double interval = data.fields(*card, layout::ascii).number("DT");
+    const double interval = interval_of(data, std::string("DATABASE_") + name, *card, layout::ascii);
     if (!(interval > 0 && interval < rows)) continue;
     rows = interval;
     of_rows = {std::string("*DATABASE_") + name, card->place};
@@ -108,7 +116,7 @@ void write_output(DeckData& data, DeckScene& scene) {
   }
   if (const auto card = last_card(data, "DATABASE_BINARY_D3PLOT")) {
     if (const auto more = last_card(data, "DATABASE_BINARY_D3PLOT", 1)) data.fields(*more, layout::plot_more);
-    const double interval = data.fields(*card, layout::plot).number("DT");
+    const double interval = interval_of(data, "DATABASE_BINARY_D3PLOT", *card, layout::plot);
     keys.from({"*DATABASE_BINARY_D3PLOT", card->place});
     if (interval > 0) keys.set("field_interval", interval, "dt");
   }

@@ -16,11 +16,17 @@ constexpr CardLayout held(std::string_view target) {
           whole("DOFRZ").reported(no_rotations)};
 }
 inline constexpr CardLayout held_node = held("NID"), held_set = held("NSID");
-inline constexpr CardLayout held_span{number("BIRTH"), number("DEATH", 1e20)};
+inline constexpr CardLayout held_span{number("BIRTH"), number("DEATH", 1e20).at_least(0)};
 
 constexpr CardLayout motion(std::string_view target) {
-  return {whole(target).always(), whole("DOF").always(), whole("VAD"),          whole("LCID").always(),
-          number("SF", 1),        whole("VID"),          number("DEATH", 1e28), number("BIRTH")};
+  return {whole(target).always(),
+          whole("DOF").always(),
+          whole("VAD"),
+          whole("LCID").always(),
+          number("SF", 1),
+          whole("VID"),
+          number("DEATH", 1e28).at_least(0),
+          number("BIRTH")};
 }
 inline constexpr CardLayout motion_node = motion("NID"), motion_set = motion("NSID"), motion_part = motion("PID");
 
@@ -50,7 +56,7 @@ inline constexpr CardLayout wall_nodes{whole("NSID"),
                                        whole("BOXID"),
                                        number("OFFSET").reported("nodes further from the wall are looked at, too"),
                                        number("BIRTH"),
-                                       number("DEATH", 1e20),
+                                       number("DEATH", 1e20).at_least(0),
                                        number("RWKSF", 1).reported("walls have no penalty stiffness")};
 inline constexpr CardLayout wall_plane{
     number("XT"), number("YT"), number("ZT"),   number("XH"),

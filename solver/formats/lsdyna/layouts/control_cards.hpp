@@ -5,10 +5,10 @@
 /// *CONTROL_..., *DAMPING_GLOBAL, *DATABASE_... but for contact and histories.
 namespace pinball::layout {
 
-inline constexpr CardLayout control_hourglass{whole("IHQ", 1), number("QH", 0.1)};
+inline constexpr CardLayout control_hourglass{whole("IHQ", 1), number("QH", 0.1).at_least(0)};
 inline constexpr CardLayout termination{
     number("ENDTIM").always(),
-    whole("ENDCYC"),
+    whole("ENDCYC").at_least(0),
     number("DTMIN").at_least(0),
     number("ENDENG").reported("the run goes on to ENDTIM, and tells how energy is kept"),
     number("ENDMAS", 1e8).reported("the run goes on to ENDTIM; added mass is reported"),
@@ -34,8 +34,8 @@ inline constexpr CardLayout timestep_scaling{number("DT2MSF").rejected(by_dt2ms)
 inline constexpr CardLayout timestep_more{number("RMAVG").reported(of_selective), whole("IGADO").reported(no_splines),
                                           number("DTUSR").reported("there are no elements that users program"),
                                           whole("DTDYNV").reported(no_splines)};
-inline constexpr CardLayout bulk_viscosity{number("Q1", 1.5), number("Q2", 0.06), whole("TYPE", 1),
-                                           whole("BTYPE").reported(of_beams),
+inline constexpr CardLayout bulk_viscosity{number("Q1", 1.5).at_least(0), number("Q2", 0.06).at_least(0),
+                                           whole("TYPE", 1), whole("BTYPE").reported(of_beams),
                                            whole("TSTYPE").reported("of thick shells")};
 inline constexpr std::string_view of_solvers = "of other ways to solve";
 inline constexpr CardLayout solution{whole("SOLN").rejected("heat is not computed: leave it 0"),

@@ -73,10 +73,10 @@ inline constexpr CardLayout shell_thickness{
 
 inline constexpr CardLayout hourglass{whole("HGID").always(),
                                       whole("IHQ"),
-                                      number("QM"),
+                                      number("QM").at_least(0),
                                       whole("IBQ").reported("the bulk viscosity is the standard one"),
-                                      number("Q1"),
-                                      number("Q2"),
+                                      number("Q1").at_least(0),
+                                      number("Q2").at_least(0),
                                       number("QB", 0.1).reported(of_shells),
                                       number("QW", 0.1).reported(of_shells)};
 

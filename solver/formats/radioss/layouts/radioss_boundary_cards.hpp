@@ -14,7 +14,7 @@ inline constexpr CardLayout motion{whole("fct_IDT").always(),
                                    whole("frame_ID").rejected("give a /SKEW/FIX: frames that move are not there"),
                                    whole("Icoor").rejected("give directions that are straight")};
 inline constexpr CardLayout motion_scales{real("Ascale_x", 1), real("Fscale_y", 1), real("Tstart"),
-                                          real("Tstop", 1e30)};
+                                          real("Tstop", 1e30).at_least(0)};
 inline constexpr CardLayout nodal_load{whole("fct_IDT").always(),  word("Dir"),
                                        whole("skew_ID"),           sensor("sens_ID"),
                                        whole("grnod_ID").always(), whole("Itypfun", 1).from(0, 1),

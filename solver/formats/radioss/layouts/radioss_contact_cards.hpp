@@ -17,7 +17,7 @@ constexpr CardField stiffness(std::string_view name, double otherwise = 0) {
 constexpr CardField flag(std::string_view name, std::string_view why) { return whole(name).reported(why); }
 
 inline constexpr CardLayout inter_scales{stiffness("Stfac", 1), real("Fric"), real("GAPmin").reported(no_gap),
-                                         real("Tstart"), real("Tstop", 1e30)};
+                                         real("Tstart"), real("Tstop", 1e30).at_least(0)};
 inline constexpr CardLayout inter_start{blank(7),
                                         whole("IBC").columns(3).rejected("contact acts in all directions"),
                                         blank(20),
@@ -87,7 +87,7 @@ inline constexpr CardLayout type24_stiffness{stiffness("Stmin"),
                                              real("Ipen_max").reported(opened),
                                              stiffness("STFAC_MDT")};
 inline constexpr CardLayout type24_scales{stiffness("Stfac", 1), real("Fric"), real("Tpressfit").reported(opened),
-                                          real("Tstart"), real("Tstop", 1e30)};
+                                          real("Tstart"), real("Tstop", 1e30).at_least(0)};
 inline constexpr CardLayout type24_start{blank(7),
                                          whole("IBC").columns(3).rejected("contact acts in all directions"),
                                          blank(10),
@@ -114,6 +114,6 @@ inline constexpr CardLayout tie{whole("grnd_IDs").always(),
                                 flag("Isearch", all_checked),
                                 flag("Idel2", erosion_seen),
                                 whole("surf_IDs").rejected("give the nodes by grnd_IDs"),
-                                real("dsearch")};
+                                real("dsearch").at_least(0)};
 
 }  // namespace pinball::radioss

@@ -20,20 +20,20 @@ inline constexpr CardLayout johnson_elasticity{real("E").always(), real("nu").al
                                                real("Pmin").rejected("leave it 0, or give /MAT/HYD_JCOOK")};
 /// With Iflag 1 the first three are SIG_Y, UTS and EUTS.
 inline constexpr CardLayout johnson_hardening{real("a").always(), real("b"), real("n", 1),
-                                              real("EPS_p_max").rejected(no_deletion), real("SIG_max0")};
+                                              real("EPS_p_max").rejected(no_deletion), real("SIG_max0").at_least(0)};
 inline constexpr CardLayout johnson_rate{real("c"),
                                          real("EPS_DOT_0"),
                                          whole("ICC", 1).from(0, 2),
                                          whole("Fsmooth").reported(not_smoothed),
                                          real("F_cut").reported(not_smoothed),
-                                         real("Chard")};
-inline constexpr CardLayout johnson_heat{real("m", 1), real("T_melt"), real("rhoC_p"), real("T_r", 300),
+                                         real("Chard").from(0, 1)};
+inline constexpr CardLayout johnson_heat{real("m", 1), real("T_melt").at_least(0), real("rhoC_p"), real("T_r", 300),
                                          real("T_max").rejected("leave it 0: there is no other exponent above it")};
 
 inline constexpr CardLayout hydro_hardening{real("A").always(), real("B"), real("n", 1),
-                                            real("eps_max").rejected(no_deletion), real("sig_max")};
+                                            real("eps_max").rejected(no_deletion), real("sig_max").at_least(0)};
 inline constexpr CardLayout hydro_cutoff{real("Pmin").from(-1e30, 0)};
-inline constexpr CardLayout hydro_rate{real("C"), real("EPS_DOT_0"), real("M", 1), real("Tmelt"),
+inline constexpr CardLayout hydro_rate{real("C"), real("EPS_DOT_0"), real("M", 1), real("Tmelt").at_least(0),
                                        real("Tmax").rejected("leave it 0: there is no other exponent above it")};
 inline constexpr CardLayout hydro_heat{real("rhoC_p"), blank(40), real("T_r", 300)};
 
@@ -62,7 +62,7 @@ inline constexpr CardLayout five_rates{real("Eps_dot_1"), real("Eps_dot_2"), rea
 inline constexpr CardLayout cowper_elasticity{real("E").always(), real("nu").always(), whole("Iflag").from(0, 1)};
 inline constexpr CardLayout cowper_hardening{real("A").always(), real("B"), real("n", 1),
                                              real("C_HARD").reported("solids of this law harden isotropically"),
-                                             real("sigmax")};
+                                             real("sigmax").at_least(0)};
 inline constexpr CardLayout cowper_rate{real("C"),
                                         real("P", 1),
                                         whole("ICC", 1).from(0, 2),
@@ -119,7 +119,8 @@ inline constexpr CardLayout solid{whole("Isolid"),
                                   whole("Itetra4").reported(of_tetrahedra),
                                   whole("Iframe").reported("stresses turn with the material"),
                                   real("dn").reported("assumed strains need no damping")};
-inline constexpr CardLayout solid_viscosity{real("qa", 1.1), real("qb", 0.05), real("h", 0.1),
+inline constexpr CardLayout solid_viscosity{real("qa", 1.1).at_least(0), real("qb", 0.05).at_least(0),
+                                            real("h", 0.1).at_least(0),
                                             real("Lambda").rejected("there is no such viscosity: leave it 0"),
                                             real("mu").rejected("there is no such viscosity: leave it 0")};
 /// From version 2025 on limits of distortion stand behind the step, before it Istrain and Ihkt.

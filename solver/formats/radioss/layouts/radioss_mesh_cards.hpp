@@ -24,7 +24,7 @@ inline constexpr CardLayout bric20_edges{whole("node_ID9"),  whole("node_ID10"),
                                          whole("node_ID12"), whole("node_ID13"), whole("node_ID14"),
                                          whole("node_ID15"), whole("node_ID16")};
 inline constexpr CardLayout bric20_more{whole("node_ID17"), whole("node_ID18"), whole("node_ID19"), whole("node_ID20")};
-inline constexpr CardLayout part{whole("prop_ID").always(), whole("mat_ID").always(), whole("subset_ID"),
+inline constexpr CardLayout part{whole("prop_ID").always(), whole("mat_ID").always(), whole("subset_ID").at_least(0),
                                  real("Thick").reported(of_shells),
                                  whole("Irigid").rejected("give an /RBODY of the nodes of the part")};
 inline constexpr CardLayout ranges{whole("Ifirst"), whole("Ilast")};

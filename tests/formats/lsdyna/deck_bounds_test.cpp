@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "deck_case.hpp"
+
+/// What no card may say, where it says so, and by the line that does: numbers below zero, times that go back.
+namespace pinball::test::deck_bounds_test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+class DeckBounds : public DeckTest {
+ protected:
+  /// Of a keyword whose first card is line 23.
+  std::string error_of_card(const std::string& keyword, const std::string& card) {
+    return error(cube + elastic + ends + keyword + "\n" + card + "\n");
+  }
+};
+
+TEST_F(DeckBounds, CoefficientsOfElementsAreNotBelowZero) {
+  const struct {
+    const char *keyword, *card, *field;
+  } cases[] = {{"*CONTROL_HOURGLASS", "4,-0.5", "QH"},       {"*CONTROL_BULK_VISCOSITY", "-0.5", "Q1"},
+               {"*CONTROL_BULK_VISCOSITY", "1.,-0.5", "Q2"}, {"*HOURGLASS", "1,4,-0.5", "QM"},
+               {"*HOURGLASS", "1,4,0.1,0,-0.5", "Q1"},       {"*HOURGLASS", "1,4,0.1,0,1.5,-0.5", "Q2"}};
+  for (const auto& [keyword, card, field] : cases) {
+    EXPECT_EQ(error_of_card(keyword, card),
+              fmt::format("deck.k:23: {}: {}: expected at least 0, got -0.5", keyword, field));
+  }
+}
+
+TEST_F(DeckBounds, WhatEndsBeforeTheRunIsRefused) {
+  const std::string curve = "*DEFINE_CURVE\n1\n0.,1.\n1.,1.\n", none = ": DEATH: expected at least 0, got -1";
+  EXPECT_EQ(error_of_card("*BOUNDARY_PRESCRIBED_MOTION_NODE", "1,1,0,1,1.,0,-1.\n" + curve),
+            "deck.k:23: *BOUNDARY_PRESCRIBED_MOTION_NODE" + none);
+  EXPECT_EQ(error_of_card("*BOUNDARY_SPC_NODE_BIRTH_DEATH", "1,0,1,1,1\n0.,-1."),
+            "deck.k:24: *BOUNDARY_SPC_NODE_BIRTH_DEATH" + none);
+  EXPECT_EQ(error_of_card("*RIGIDWALL_PLANAR", "0,0,0,0.,0.,-1.\n0.,0.,-1.,0.,0.,1."),
+            "deck.k:23: *RIGIDWALL_PLANAR" + none);
+  EXPECT_EQ(error(cube + elastic + "*CONTROL_TERMINATION\n1.E-6,-5\n"),
+            "deck.k:21: *CONTROL_TERMINATION: ENDCYC: expected at least 0, got -5");
+}
+
+TEST_F(DeckBounds, IntervalsBelowZeroAreReported) {
+  for (const char* keyword : {"*DATABASE_GLSTAT", "*DATABASE_BINARY_D3PLOT"}) {
+    const std::string told = fmt::format("{}: DT", keyword), deck = cube + elastic + ends + keyword;
+    EXPECT_THAT(translate(deck + "\n-1.E-7\n").understood, Contains(HasSubstr(told))) << keyword;
+    EXPECT_THAT(translate(deck + "\n1.E-7\n").understood, Not(Contains(HasSubstr(told)))) << keyword;
+    EXPECT_THAT(translate(deck + "\n0.\n").understood, Not(Contains(HasSubstr(told)))) << keyword;
+  }
+}
+
+}  // namespace
+}  // namespace pinball::test::deck_bounds_test
