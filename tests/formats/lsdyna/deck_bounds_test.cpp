@@ -43,6 +43,18 @@ TEST_F(DeckBounds, WhatEndsBeforeTheRunIsRefused) {
             "deck.k:21: *CONTROL_TERMINATION: ENDCYC: expected at least 0, got -5");
 }
 
+TEST_F(DeckBounds, CurvesOfTimeAreNamedByTheirOwnLine) {
+  const std::string motion = "*BOUNDARY_PRESCRIBED_MOTION_SET\n3,3,0,9,1.\n";
+  const auto deck = [&](const std::string& points) {
+    return cube + elastic + ends + set_of_top + "*DEFINE_CURVE\n9\n" + points + motion;
+  };
+  EXPECT_EQ(error(deck("0.,0.\n1.E-7,1.\n1.E-7,2.\n")),
+            "deck.k:26: *DEFINE_CURVE 9: expected times that increase, got 1e-07 after 1e-07");
+  EXPECT_EQ(error(deck("1.,0.\n0.,1.\n")), "deck.k:26: *DEFINE_CURVE 9: expected times that increase, got 0 after 1");
+  EXPECT_THAT(translate(deck("0.,0.\n1.E-7,1.\n")).understood,
+              Contains(HasSubstr("deck.k:26): behind its last point, at 1e-07, it keeps the value 1")));
+}
+
 TEST_F(DeckBounds, IntervalsBelowZeroAreReported) {
   for (const char* keyword : {"*DATABASE_GLSTAT", "*DATABASE_BINARY_D3PLOT"}) {
     const std::string told = fmt::format("{}: DT", keyword), deck = cube + elastic + ends + keyword;

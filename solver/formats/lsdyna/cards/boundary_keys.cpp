@@ -104,17 +104,24 @@ double end_of_run(const DeckData& data) {
 namespace {
 
 /// Of a curve that acts when it has no points: its first value holds before the first, the last one behind the last.
-void tell_ends(const DeckData& data, std::int64_t number, const DeckCurve& points, const DeckPlace& place,
-               const DeckSpan& used) {
+void tell_ends(const DeckData& data, std::int64_t number, const DeckCurve& points, const DeckSpan& used) {
   const double end = end_of_run(data), until = used.death > 0 ? std::min(used.death, end) : end;
   const auto tell = [&](const char* what, const char* which, double time, double value) {
     data.report.understood(fmt::format("*DEFINE_CURVE {} ({}): {} its {} point, at {:.6g}, it keeps the value {:.6g}",
-                                       number, place.text(), what, which, time, value));
+                                       number, points.place.text(), what, which, time, value));
   };
   const double first = points.abscissa.front(), last = points.abscissa.back();
   if (first > std::max(used.birth, 0.0) && points.ordinate.front() != 0)
     tell("before", "first", first, points.ordinate.front());
   if (last < until && points.ordinate.back() != 0) tell("behind", "last", last, points.ordinate.back());
+}
+
+void require_increasing(std::int64_t number, const DeckCurve& points) {
+  for (std::size_t i = 1; i < points.abscissa.size(); ++i) {
+    if (!(points.abscissa[i] > points.abscissa[i - 1]))
+      fail_at(points.place, fmt::format("*DEFINE_CURVE {}: expected times that increase, got {} after {}", number,
+                                        points.abscissa[i], points.abscissa[i - 1]));
+  }
 }
 
 }  // namespace
@@ -123,7 +130,8 @@ void set_curve(const DeckData& data, const KeywordBlock& block, std::int64_t cur
                const DeckPlace& place, const DeckKeys<TimeTable>& keys, const DeckSpan& used) {
   const std::int64_t number = curve_number(block, curve);
   const DeckCurve& points = data.curve(number, place);
-  tell_ends(data, number, points, place, used);
+  require_increasing(number, points);
+  tell_ends(data, number, points, used);
   std::vector<double> factors = points.ordinate;
   for (double& factor : factors) factor *= scale == 0 ? 1.0 : scale;
   keys.set("times", points.abscissa, "lcid");

@@ -157,10 +157,8 @@ void DeckData::read_curve(const KeywordBlock& block) {
   const Card head = cards.require("the number of the curve");
   const Fields f = fields(head, layout::curve);
   const double sfa = factor_of(f, "SFA"), sfo = factor_of(f, "SFO"), offa = f.number("OFFA"), offo = f.number("OFFO");
-  DeckCurve curve;
-  curve.units = units_of(block);
   const std::int64_t relaxation = f.integer("SIDR");
-  curve.relaxes = relaxation == 1;
+  DeckCurve curve{{}, {}, units_of(block), relaxation == 1, head.place};
   if (relaxation == 2)
     report.unused(head.place, block.star_name() + ": SIDR", "there is no dynamic relaxation: it is for the run alone");
   while (const auto card = cards.next_filled()) {
@@ -351,7 +349,7 @@ DeckCurve DeckData::yield_curve(std::int64_t id, const DeckPlace& place) const {
     report.understood(
         fmt::format("*DEFINE_CURVE {} ({}): before its first plastic strain, {:.6g}, it keeps the stress "
                     "{:.6g}",
-                    id, place.text(), curve.abscissa.front(), curve.ordinate.front()));
+                    id, curve.place.text(), curve.abscissa.front(), curve.ordinate.front()));
   return curve;
 }
 

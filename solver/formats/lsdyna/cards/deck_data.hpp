@@ -60,6 +60,7 @@ struct DeckCurve {
   std::vector<double> abscissa, ordinate;
   DeckUnits units{};     ///< of the file that it stands in: what they mean for it, only who uses it knows
   bool relaxes = false;  ///< SIDR 1: it is for dynamic relaxation, and not for the run itself
+  DeckPlace place{};
 };
 
 /// Curves over the strain rate.
