@@ -8,6 +8,7 @@ namespace pinball::test::deck_bounds_test {
 namespace {
 
 using testing::Contains;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -62,6 +63,17 @@ TEST_F(DeckBounds, IntervalsBelowZeroAreReported) {
     EXPECT_THAT(translate(deck + "\n1.E-7\n").understood, Not(Contains(HasSubstr(told)))) << keyword;
     EXPECT_THAT(translate(deck + "\n0.\n").understood, Not(Contains(HasSubstr(told)))) << keyword;
   }
+}
+
+TEST_F(DeckBounds, ACaseThatListsNothingIsTold) {
+  const std::string begin = cube + elastic + ends + "*CASE_BEGIN_7\n*INITIAL_VELOCITY\n0\n1.\n*CASE_END_7\n*CASE\n7\n";
+  DeckOptions seven;
+  seven.chosen_case = 7;
+  const auto empty = Contains(EndsWith("; the chosen *CASE lists no numbers (SCID, from its third line on)"));
+  EXPECT_THAT(translate(begin + "7\n", seven).understood, empty) << "the second line is a command";
+  const TranslatedDeck taken = translate(begin + "\n7\n", seven);
+  EXPECT_THAT(taken.understood, Not(empty));
+  EXPECT_EQ(read_scene(taken.source(path_)).initial_velocities.size(), 1U);
 }
 
 }  // namespace

@@ -104,9 +104,11 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   describe_mesh(data, report);
   for (const std::string& note : deck.parameters.notes()) report.understood(note);
   for (const std::string& note : std::exchange(mesh.notes, {})) report.understood(note);
-  if (deck.left_out_of_case > 0)
-    report.understood(fmt::format("{} keywords belong to other cases: --case takes one of {}", deck.left_out_of_case,
-                                  fmt::join(deck.cases, ", ")));
+  if (deck.left_out_of_case > 0) {
+    const char* why = deck.case_is_empty ? "; the chosen *CASE lists no numbers (SCID, from its third line on)" : "";
+    report.understood(fmt::format("{} keywords belong to other cases: --case takes one of {}{}", deck.left_out_of_case,
+                                  fmt::join(deck.cases, ", "), why));
+  }
   scene.append(std::move(bodies));
   scene.append(std::move(boundary));
   return given_deck(

@@ -62,6 +62,11 @@ bool DeckCases::takes(const Numbers& cases) const {
   return std::ranges::any_of(cases, [&](std::int64_t id) { return found->second.contains(id); });
 }
 
+bool DeckCases::chosen_is_empty() const {
+  const auto found = chosen_ ? members_.find(*chosen_) : members_.end();
+  return found != members_.end() && found->second.empty();
+}
+
 std::vector<std::int64_t> DeckCases::numbers() const {
   std::vector<std::int64_t> all;
   for (const auto& [number, members] : members_) all.push_back(number);

@@ -27,6 +27,8 @@ class DeckCases {
   bool takes(const Numbers& cases) const;
   /// Remembers that there are such numbers.
   void know(const Numbers& cases) { known_.insert(cases.begin(), cases.end()); }
+  /// Whether there is a *CASE of the chosen number that lists no others: nothing belongs to it.
+  bool chosen_is_empty() const;
   /// What --case takes: first the numbers of *CASE.
   std::vector<std::int64_t> numbers() const;
 

@@ -85,6 +85,7 @@ class KeywordReader {
   /// of the case is the later one.
   void keep_case() {
     deck_.cases = cases_.numbers();
+    deck_.case_is_empty = cases_.chosen_is_empty();
     if (chosen_ && std::ranges::count(deck_.cases, *chosen_) == 0) {
       throw InputError(fmt::format(
           "{}: --case {}: {}", deck_.files.front().path, *chosen_,

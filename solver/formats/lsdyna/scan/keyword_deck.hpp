@@ -21,6 +21,7 @@ struct KeywordDeck {
   std::vector<MeshSource> files;                          ///< as opened, the deck itself first
   std::vector<std::int64_t> cases;                        ///< numbers that --case takes
   std::size_t left_out_of_case = 0;                       ///< keywords that belong to other cases
+  bool case_is_empty = false;                             ///< the chosen *CASE lists no numbers
   std::vector<UnreadLine> unread;                         ///< of what is done here
   std::vector<std::shared_ptr<const std::string>> texts;  ///< what the blocks refer to
 };
