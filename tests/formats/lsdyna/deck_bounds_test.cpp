@@ -65,6 +65,28 @@ TEST_F(DeckBounds, IntervalsBelowZeroAreReported) {
   }
 }
 
+/// It would be taken for the line of the number, and what it says be lost.
+TEST_F(DeckBounds, ACardInThePlaceOfANumberOrTitleIsNotLost) {
+  const std::string alone = ": expected a card behind the line of its number or title";
+  const struct {
+    const char *keyword, *card;
+  } cases[] = {{"*BOUNDARY_SPC_NODE_ID", "1,0,1,1,1"},
+               {"*BOUNDARY_SPC_SET_ID", "3,0,1,1,1"},
+               {"*BOUNDARY_PRESCRIBED_MOTION_NODE_ID", "1,1,0,1,1."},
+               {"*LOAD_NODE_POINT_ID", "1,1,1,1."},
+               {"*LOAD_SEGMENT_SET_ID", "1,1,1."},
+               {"*CONSTRAINED_JOINT_SPHERICAL_ID", "1,2"},
+               {"*SECTION_SOLID_TITLE", "2,1"},
+               {"*HOURGLASS_TITLE", "2,4"},
+               {"*DEFINE_BOX_TITLE", "2,0.,1.,0.,1.,0.,1."}};
+  for (const auto& [keyword, card] : cases)
+    EXPECT_EQ(error_of_card(keyword, card), fmt::format("deck.k:23: {}{}", keyword, alone));
+  EXPECT_EQ(error_of_card("*BOUNDARY_SPC_NODE_ID", "7,one\n1,0,1,1,1\n8,two"),
+            "deck.k:25: *BOUNDARY_SPC_NODE_ID" + alone);
+  const std::string two = "*BOUNDARY_SPC_NODE_ID\n7,one\n1,0,1,1,1\n\n2,0,1,0,0\n\n";
+  EXPECT_EQ(scene(cube + elastic + ends + two).fixed_constraints.size(), 2U) << "blank lines at the end say nothing";
+}
+
 TEST_F(DeckBounds, ACaseThatListsNothingIsTold) {
   const std::string begin = cube + elastic + ends + "*CASE_BEGIN_7\n*INITIAL_VELOCITY\n0\n1.\n*CASE_END_7\n*CASE\n7\n";
   DeckOptions seven;

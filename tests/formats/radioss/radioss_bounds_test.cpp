@@ -50,5 +50,24 @@ TEST_F(RadiossBounds, WhatEndsBeforeTheRunIsRefused) {
   expect_refused(cube_with(motion + twenty({1, 1, 0, -3})), "Tstop", "at least 0, got -3");
 }
 
+/// Else the first of its lines would be taken for the title, and be lost.
+TEST_F(RadiossBounds, NumbersInThePlaceOfATitleAreNotLost) {
+  const std::string top = "/GRNOD/NODE/5\ntop\n" + ten({"5", "6", "7", "8"});
+  const auto told = [&](const std::string& more, const std::string& block, const std::string& line) {
+    EXPECT_THAT(error(cube_with(more)), HasSubstr(block + ": expected a line of its title, got numbers: \"" + line));
+  };
+  const std::string held = "   111 000         0         5\n";
+  told(top + "/BCS/1\n" + held, "/BCS/1", "111 000 ");
+  told("/GRNOD/NODE/5\n" + ten({"5", "6", "7", "8"}) + "/BCS/1\nb\n" + held, "/GRNOD/NODE/5", "5         6 ");
+  told("/FUNCT/5\n" + twenty({0, 1}) + twenty({1, 2}) + top + "/CLOAD/1\nl\n" + ten({"5", "X", "0", "0", "5"}),
+       "/FUNCT/5", "0 ");
+  for (const char* title : {"2022 11", "  5", " 5 mm", ""}) {
+    EXPECT_EQ(error(cube_with("/GRNOD/NODE/5\n" + std::string(title) + "\n" + ten({"5", "6", "7", "8"}) +
+                              "/BCS/1\nb\n" + held)),
+              no_error)
+        << title;
+  }
+}
+
 }  // namespace
 }  // namespace pinball::test::radioss_bounds_test

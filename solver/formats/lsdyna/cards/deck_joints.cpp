@@ -129,13 +129,14 @@ void translate_joints(DeckData& data, const KeywordBlock& block, DeckScene& scen
   Cards cards(block);
   while (true) {
     std::int64_t id = 0;
+    std::optional<Card> number;
     if (block.id) {
-      std::optional<Card> number = cards.next();
+      number = cards.next();
       if (!number) return;
       number->log = nullptr;  // what follows it is a title
       id = data.fields(*number, layout::joint_number).integer("JID");
     }
-    const std::optional<Card> card = cards.next_filled();
+    const std::optional<Card> card = cards.next_behind(number);
     if (!card) return;
     const Fields f = data.fields(*card, joint.pairs > 1 ? layout::joint_pairs : layout::joint_pair);
     const JointNodes nodes(data, block, joint, f);

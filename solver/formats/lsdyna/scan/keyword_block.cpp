@@ -22,6 +22,13 @@ std::optional<Card> Cards::next_filled() {
   return card;
 }
 
+std::optional<Card> Cards::next_behind(const std::optional<Card>& head) {
+  std::optional<Card> card = next_filled();
+  if (!card && head && !head->blank())
+    fail_at(head->place, block_->star_name() + ": expected a card behind the line of its number or title");
+  return card;
+}
+
 Card Cards::require(const std::string& expected) {
   if (const std::optional<Card> card = next()) return *card;
   fail_at(block_->place, block_->star_name() + ": expected " + expected + ", got the end of the keyword");

@@ -68,6 +68,9 @@ class Cards {
   std::optional<Card> next();
   /// The next line that is not blank.
   std::optional<Card> next_filled();
+  /// The same behind the line of its number or title. Throws InputError where that stands alone: a card without the
+  /// line that _ID and _TITLE ask for would be taken for it, and be lost.
+  std::optional<Card> next_behind(const std::optional<Card>& head);
   /// The next line. Throws InputError naming what was expected where the block ends before it.
   Card require(const std::string& expected);
   /// The next line, or a blank one where the block ends: cards of defaults may be left out.
@@ -86,8 +89,10 @@ template <class Read>
 void for_each_card(const KeywordBlock& block, const Read& read) {
   Cards cards(block);
   const bool headed = block.title || block.id;
-  while (!headed || cards.next()) {
-    const std::optional<Card> card = cards.next_filled();
+  while (true) {
+    const std::optional<Card> head = headed ? cards.next() : std::nullopt;
+    if (headed && !head) return;
+    const std::optional<Card> card = cards.next_behind(head);
     if (!card) return;
     if constexpr (std::is_invocable_v<Read, const Card&, Cards&>) {
       read(*card, cards);

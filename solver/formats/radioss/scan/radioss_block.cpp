@@ -2,9 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <solver/formats/deck/number_text.hpp>
 
 namespace pinball {
+
+namespace {
+
+/// Whether a line is of fields of numbers: a title begins in the first column, or has a word, or one number.
+bool is_numbers(std::string_view line) {
+  if (line.empty() || line.front() != ' ') return false;
+  std::size_t count = 0;
+  for (std::size_t at = line.find_first_not_of(' '); at != std::string_view::npos;
+       at = line.find_first_not_of(' ', at)) {
+    const std::size_t end = std::min(line.find(' ', at), line.size());
+    if (!deck_number(line.substr(at, end - at))) return false;
+    ++count;
+    at = end;
+  }
+  return count > 1;
+}
+
+}  // namespace
 
 std::int64_t RadiossBlock::id() const {
   if (numbers.empty()) fail_at(place, fmt::format("{}: expected a number behind the keyword", title));
@@ -14,7 +34,10 @@ std::int64_t RadiossBlock::id() const {
 RadiossLines::RadiossLines(const RadiossBlock& block) : block_(&block), place_(block.place) {
   open(0);
   std::string_view line;
-  if (block.titled && take(line)) title_ = std::string(trimmed(line));
+  if (!block.titled || !take(line)) return;
+  if (is_numbers(line))
+    fail_at(place_, fmt::format("{}: expected a line of its title, got numbers: \"{}\"", block.title, trimmed(line)));
+  title_ = std::string(trimmed(line));
 }
 
 void RadiossLines::open(std::size_t segment) {
