@@ -155,6 +155,10 @@ TEST_F(SceneTest, UnknownKeysNameTheNearest) {
               "14:" + std::to_string(21 + std::string(type).size()) +
                   ": body.bar.mesh.path: unknown key, nearest is body.bar.mesh.file");
   }
+  EXPECT_EQ(error(with(14, "mesh = { type = \"gmsh\", file = \"bar.msh\", part = \"bar\" }")),
+            "14:43: body.bar.mesh.part: unknown key, nearest is body.bar.mesh.physical");
+  EXPECT_EQ(error(with(14, "mesh = { type = \"exodus\", file = \"bar.g\", physical = \"bar\" }")),
+            "14:43: body.bar.mesh.physical: unknown key, nearest is body.bar.mesh.part");
   EXPECT_EQ(error(with({"[contct]", "beta = 1"})), "15:2: contct: unknown key, nearest is contact");
   EXPECT_EQ(error(with({"[contact]", "hourglass = \"none\""})),
             "16:1: contact.hourglass: unknown key, nearest is element.hourglass");

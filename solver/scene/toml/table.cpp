@@ -24,6 +24,12 @@ std::string join(std::string_view path, std::string_view key) {
   return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
 }
 
+/// What other programs, and other tables here, call a key: the name of a file, the part of a mesh that is the body.
+bool is_another_name(std::string_view key, std::string_view candidate) {
+  return (key == "path" && candidate == "file") || (key == "part" && candidate == "physical") ||
+         (key == "physical" && candidate == "part");
+}
+
 /// A slip inside the same table is likelier than a key in the wrong table, which is likelier than two slips.
 std::string nearest_key(std::string_view key, std::string_view path, const TableKeys& own) {
   std::string best;
@@ -35,8 +41,7 @@ std::string nearest_key(std::string_view key, std::string_view path, const Table
       best = join(table, candidate);
     }
   };
-  // What other programs, and other keys here, call the name of a file.
-  for (const auto candidate : own.keys) consider(path, candidate, candidate == "file" && key == "path" ? -100 : 0);
+  for (const auto candidate : own.keys) consider(path, candidate, is_another_name(key, candidate) ? -100 : 0);
   for (const auto& other : scene_keys()) {
     // The other kinds of mesh share their place with this one: their keys would be just as wrong here.
     if (other.shown == own.shown) continue;
