@@ -11,6 +11,7 @@
 #include "material/johnson_cook.hpp"
 #include "material/material_state.hpp"
 #include "material/mooney_rivlin.hpp"
+#include "material/orthotropic.hpp"
 #include "material/von_mises.hpp"
 #include "material/yield_curve.hpp"
 
@@ -88,6 +89,7 @@ struct ElementConstants {
   HardeningConstants<S> hardening{};
   JohnsonCookConstants<S> johnson_cook{};  ///< in the place of `hardening`, where used
   MooneyRivlinConstants<S> rubber{};       ///< of what never yields, in the place of Hooke's law, where used
+  OrthotropicConstants<S> orthotropic{};   ///< the same
   FluidConstants<S> fluid{};               ///< in the place of all strength, where used
   EquationOfState<S> pressure{};
   MaterialPlaces places{};

@@ -53,6 +53,7 @@ void bind_parts(py::module_& module) {
   bind_table<PowerHardeningSettings>(module, "PowerHardening", "Yield stress as a power of the plastic strain.");
   bind_table<JohnsonCookSettings>(module, "JohnsonCook", "Strength and failure after Johnson and Cook.");
   bind_table<MooneyRivlinSettings>(module, "MooneyRivlin", "Rubber after Mooney and Rivlin.");
+  bind_table<OrthotropicSettings>(module, "Orthotropic", "Elastic moduli that differ with the direction.");
   bind_table<FluidSettings>(module, "Fluid", "No strength, and the viscosity of Newton.");
   bind_table<EquationOfStateSettings>(module, "EquationOfState", "Pressure over compression and energy.");
   bind_table<ErosionSettings>(module, "Erosion", "Limits beyond which elements are eroded.");

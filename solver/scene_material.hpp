@@ -55,6 +55,18 @@ struct MooneyRivlinSettings {
   bool operator==(const MooneyRivlinSettings&) const = default;
 };
 
+/// orthotropic of an elastic material: moduli along the axes a, b and c of the undeformed material, which go with it
+/// (kernels/material/orthotropic.hpp).
+struct OrthotropicSettings {
+  Point young_moduli{};    ///< young_moduli: E_a, E_b, E_c [stress]
+  Point poisson_ratios{};  ///< poisson_ratios: nu_ab, nu_ac, nu_bc; nu_ij: contraction along j in tension along i [-]
+  Point shear_moduli{};    ///< shear_moduli: G_ab, G_ac, G_bc [stress]
+  Point first_axis{1, 0, 0};   ///< first_axis: a, of any length [-]
+  Point second_axis{0, 1, 0};  ///< second_axis: a direction in the plane of a and b, on the side of b [-]
+
+  bool operator==(const OrthotropicSettings&) const = default;
+};
+
 /// fluid of a material: no strength, s = 2 eta D'.
 struct FluidSettings {
   double viscosity = 0.0;  ///< viscosity: eta [stress time]
@@ -119,6 +131,7 @@ struct Material {
   double rate_stress = 0.0;  ///< rate_stress: what the law adds a multiple of; 0: of the yield stress itself [stress]
   std::optional<JohnsonCookSettings> johnson_cook;           ///< in the place of hardening and rate laws above
   std::optional<MooneyRivlinSettings> mooney_rivlin;         ///< of an elastic one, in the place of its moduli
+  std::optional<OrthotropicSettings> orthotropic;            ///< the same
   std::optional<FluidSettings> fluid;                        ///< in the place of all strength
   std::optional<EquationOfStateSettings> equation_of_state;  ///< in the place of the bulk modulus, which follows
   std::optional<ErosionSettings> erosion;                    ///< limits beside erosion_strain; of elastic ones, too

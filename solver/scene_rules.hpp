@@ -40,6 +40,7 @@ std::optional<Problem> problem_of(const Material& material);
 std::optional<Problem> problem_of(const Body& body, const Scene& scene);
 std::optional<Problem> problem_of(const YieldCurve& curve);
 std::optional<Problem> problem_of(const JohnsonCookSettings& law);
+std::optional<Problem> problem_of(const OrthotropicSettings& law);
 std::optional<Problem> problem_of(const EquationOfStateSettings& eos);
 std::optional<Problem> problem_of(const ErosionSettings& erosion);
 /// Whether its elements may be eroded for a reason of the material's.

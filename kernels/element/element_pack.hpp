@@ -44,6 +44,26 @@ PINBALL_FUNCTION void set_symmetric(const Symmetric<T>& tensor, const ElementNum
   numbers.set(place + 5, tensor.zx);
 }
 
+/// Nine numbers from `place` on, row by row.
+template <class T, int L>
+PINBALL_FUNCTION Tensor<T> tensor_at(const ElementNumbers<T, L>& numbers, int place) {
+  const auto row = [&](int first) __attribute__((always_inline)) {
+    return Vec3<T>{numbers.get(first), numbers.get(first + 1), numbers.get(first + 2)};
+  };
+  return {row(place), row(place + 3), row(place + 6)};
+}
+template <class T, int L>
+PINBALL_FUNCTION void set_tensor(const Tensor<T>& tensor, const ElementNumbers<T, L>& numbers, int place) {
+  const auto set_row = [&](const Vec3<T>& row, int first) __attribute__((always_inline)) {
+    numbers.set(first, row.x);
+    numbers.set(first + 1, row.y);
+    numbers.set(first + 2, row.z);
+  };
+  set_row(tensor.row_x, place);
+  set_row(tensor.row_y, place + 3);
+  set_row(tensor.row_z, place + 6);
+}
+
 /// Elements first ... first + width_of<T> - 1.
 template <class T, int L>
 struct ElementPack {

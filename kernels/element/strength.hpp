@@ -4,6 +4,7 @@
 #include "../material/general_material.hpp"
 #include "../material/mooney_rivlin.hpp"
 #include "../material/neo_hookean.hpp"
+#include "../material/orthotropic.hpp"
 #include "element_pack.hpp"
 #include "hourglass_control.hpp"
 #include "stability.hpp"
@@ -109,6 +110,24 @@ PINBALL_FUNCTION bool never_yields_generally(const ElementConstants<S>& constant
   return features.erosion && features.yield == YieldLaw::general && constants.never_yields;
 }
 
+/// Gives it the stress of its energy where its moduli differ with the direction.
+template <ElementFeatures features, class T, int L>
+PINBALL_FUNCTION void follow_orthotropic_energy(const ElementConstants<ScalarOf<T>>& constants,
+                                                const ElementNumbers<T, L>& numbers, const StabilityBound<T>& bound,
+                                                const MiddleSize<T>& middle, const StepMotion<T, features>& motion,
+                                                ScalarOf<T> dt, const Symmetric<T>& stress_old, Symmetric<T>& stress,
+                                                T& stable_rate) {
+  const int place = constants.places.gradient;
+  Tensor<T> gradient = tensor_at(numbers, place);
+  const Symmetric<T> old = stress_old;  // of their own, as above
+  const MaskOf<T> there = middle.whole;
+  NeoHookeanState<T> now;
+  update_orthotropic<T>(constants.orthotropic, T(ScalarOf<T>(0.5) * dt) * motion.gradient, there, old, gradient, now);
+  set_tensor(gradient, numbers, place);
+  stress = now.stress;
+  stable_rate = bound.rate(now.lambda, now.mu);
+}
+
 /// Gives it the stress of its energy.
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION void follow_energy_generally(const ElementConstants<ScalarOf<T>>& constants,
@@ -116,6 +135,10 @@ PINBALL_FUNCTION void follow_energy_generally(const ElementConstants<ScalarOf<T>
                                               const StabilityBound<T>& bound, const MiddleSize<T>& middle,
                                               const StepMotion<T, features>& motion, ScalarOf<T> dt,
                                               const Symmetric<T>& stress_old, Symmetric<T>& stress, T& stable_rate) {
+  if (constants.orthotropic.used) {
+    follow_orthotropic_energy(constants, numbers, bound, middle, motion, dt, stress_old, stress, stable_rate);
+    return;
+  }
   if (!constants.rubber.used) {
     follow_energy(constants, own, bound, middle, motion, dt, stress_old, stress, stable_rate);
     return;

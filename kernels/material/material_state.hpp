@@ -13,6 +13,7 @@ struct MaterialPlaces {
   int damage = -1;       ///< 1: has failed [-]
   int strain = -1;       ///< six: xx yy zz xy yz zx of e of failure.hpp [-]
   int deformation = -1;  ///< six: xx yy zz xy yz zx of E of mooney_rivlin.hpp [-]
+  int gradient = -1;     ///< nine: H of orthotropic.hpp, row by row [-]
   int numbers = 0;       ///< all of them
 };
 

@@ -490,6 +490,20 @@ class MooneyRivlin:
     poisson_ratio: float
     """of small strains, whose shear modulus is 2 (A + B) [-]"""
 
+class Orthotropic:
+    """Elastic moduli that differ with the direction."""
+    def __init__(self, *, young_moduli: Sequence[float] = ..., poisson_ratios: Sequence[float] = ..., shear_moduli: Sequence[float] = ..., first_axis: Sequence[float] = ..., second_axis: Sequence[float] = ...) -> None: ...
+    young_moduli: Field[list[float], Sequence[float]]
+    """[E_a, E_b, E_c] [stress]"""
+    poisson_ratios: Field[list[float], Sequence[float]]
+    """[nu_ab, nu_ac, nu_bc]: the first of two letters is the direction of the tension, the other that of the contraction; nu_ba = nu_ab E_b/E_a [-]"""
+    shear_moduli: Field[list[float], Sequence[float]]
+    """[G_ab, G_ac, G_bc] [stress]"""
+    first_axis: Field[list[float], Sequence[float]]
+    """a, in the scene at the start, of any length [-]"""
+    second_axis: Field[list[float], Sequence[float]]
+    """in the plane of a and b, on the side of b; not along a [-]"""
+
 class Fluid:
     """No strength, and the viscosity of Newton."""
     def __init__(self, *, viscosity: float = ...) -> None: ...
@@ -544,7 +558,7 @@ class Erosion:
 
 class Material:
     """[[material]] of a scene, with bulk and shear modulus."""
-    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., orthotropic: Optional[Orthotropic] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
     name: str
     """unique"""
     plastic: bool
@@ -583,6 +597,8 @@ class Material:
     """table (below), in the place of the laws of hardening and rate above; yield_stress is its A; None: none"""
     mooney_rivlin: Optional[MooneyRivlin]
     """table (below): rubber, in the place of the moduli; None: none"""
+    orthotropic: Optional[Orthotropic]
+    """table (below): moduli that differ with the direction, for small strains and any rotation, in the place of the moduli; None: none"""
     fluid: Optional[Fluid]
     """table (below), in the place of all strength, shear_modulus and yield_stress, beside an equation_of_state; elements of viscous hourglass control, or none; None: none"""
     equation_of_state: Optional[EquationOfState]

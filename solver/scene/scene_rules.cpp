@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <solver/base/point.hpp>
+#include <solver/scene/material/orthotropic_moduli.hpp>
 #include <solver/scene_rules.hpp>
 
 namespace pinball {
@@ -19,6 +20,11 @@ void complete(Material& material) {
     const double nu = rubber->poisson_ratio;
     material.shear_modulus = 2 * (rubber->a + rubber->b);
     material.bulk_modulus = material.shear_modulus * 2 * (1 + nu) / (3 * (1 - 2 * nu));
+  }
+  if (const auto& law = material.orthotropic; law && !material.plastic && !problem_of(*law)) {
+    const IsotropicModuli mean = mean_moduli(*law);
+    material.bulk_modulus = mean.bulk;
+    material.shear_modulus = mean.shear;
   }
   if (const auto& eos = material.equation_of_state)
     material.bulk_modulus = bulk_modulus_at_rest(*eos, material.density);

@@ -40,6 +40,28 @@ double elastic_pressure(const Material& m, double k) {
   return -(m.shear_modulus * (j - 1 / j) / 3 + 0.5 * lambda * (j - 1 / j));
 }
 
+/// s_xx - s_yy of F = diag(e^k, e^-k, 1), of a material whose axes are along y, z, x: sigma = F S F^T of the S for
+/// which the compliance of the engineering constants gives Green's strain.
+double orthotropic_shear(const OrthotropicSettings& law, double k) {
+  const auto& [ea, eb, ec] = law.young_moduli;
+  const auto& [ab, ac, bc] = law.poisson_ratios;
+  const double a = 0.5 * std::expm1(-2 * k), c = 0.5 * std::expm1(2 * k);  // along y and x; b is 0
+  const double compliance[3][3] = {
+      {1 / ea, -ab / ea, -ac / ea}, {-ab / ea, 1 / eb, -bc / eb}, {-ac / ea, -bc / eb, 1 / ec}};
+  const auto determinant = [](const double(&m)[3][3]) {
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  };
+  const auto stress = [&](int axis) {  // Cramer's rule
+    double replaced[3][3];
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) replaced[i][j] = j == axis ? (i == 0 ? a : i == 2 ? c : 0) : compliance[i][j];
+    }
+    return determinant(replaced) / determinant(compliance);
+  };
+  return std::exp(2 * k) * stress(2) - std::exp(-2 * k) * stress(0);
+}
+
 /// Effective stress after Johnson and Cook at the effective strain `end`, from rest at one rate: 3 G (E - e) = Y(e, T),
 /// rho c dT = Y de, in so many pieces, by bisection.
 struct JohnsonCookShear {
@@ -157,6 +179,8 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
       row("johnson_cook", to_effective * heated.stress, of_increments + slope * of_heat,
           "3 G (E - e) = Y(e, T), rho c dT = Y de in 20,000 pieces"),
       row("mooney_rivlin", drawn, 1e-11, "closed form in the deformation gradient"),
+      row("orthotropic", orthotropic_shear(*bodies.material("orthotropic").orthotropic, k), 1e-11,
+          "F (C : E) F^T, by the compliance"),
       row("fluid", 4 * fluid.fluid->viscosity * speed, of_increments, "2 eta D"),
   };
 }

@@ -7,6 +7,7 @@
 #include <solver/device/device_run.hpp>
 #include <tests/device/device_case.hpp>
 #include <tests/support/collapsed_case.hpp>
+#include <tests/support/law_materials.hpp>
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/tetrahedra_case.hpp>
 #include <tests/support/torn_block.hpp>
@@ -99,11 +100,13 @@ TEST_P(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
   expect_same_run<double>(scene, GetParam());
 }
 
-TEST_P(DeviceRun, HasPowersFluidsAndRubber) {
+TEST_P(DeviceRun, HasPowersFluidsRubberAndAxes) {
   Scene scene = torn_block();
   scene.element.hourglass = HourglassControl::viscous;
   scene.time.end = 10e-6;
   Material power = plastic_material("power", 4e8, 0), fluid = power, rubber = elastic_material("rubber");
+  Material wood = orthotropic();
+  wood.name = "wood";
   power.plastic_modulus = 0;
   power.power_hardening = PowerHardeningSettings{8e8, 0.2};
   fluid.name = "fluid";
@@ -112,7 +115,7 @@ TEST_P(DeviceRun, HasPowersFluidsAndRubber) {
   fluid.equation_of_state.emplace();
   fluid.equation_of_state->sound_speed = 4000;
   rubber.mooney_rivlin = MooneyRivlinSettings{3e10, 1e10, 0.3};
-  for (const Material& material : {power, fluid, rubber}) {
+  for (const Material& material : {power, fluid, rubber, wood}) {
     scene.materials.push_back(material);
     Body more = block(material.name, {3, 4, 5}, 0.01, {0.5 * scene.bodies.size(), 0, 0}, {}, material.name);
     more.velocity_gradient = scene.bodies[0].velocity_gradient;

@@ -7,9 +7,15 @@
 namespace pinball::test {
 
 /// All that a material may keep, in this order.
-inline constexpr int material_numbers = 20;
-inline constexpr MaterialPlaces material_places{
-    .back_stress = 0, .temperature = 5, .energy = 6, .damage = 7, .strain = 8, .deformation = 14, .numbers = 20};
+inline constexpr int material_numbers = 29;
+inline constexpr MaterialPlaces material_places{.back_stress = 0,
+                                                .temperature = 5,
+                                                .energy = 6,
+                                                .damage = 7,
+                                                .strain = 8,
+                                                .deformation = 14,
+                                                .gradient = 20,
+                                                .numbers = 29};
 
 struct ElementState {
   double mass = 0;
@@ -84,6 +90,7 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
     to.pressure = c.pressure;
     to.fluid = c.fluid;
     to.rubber = c.rubber;
+    to.orthotropic = c.orthotropic;
     to.failure.limits = c.failure.limits;
   }
   return to;

@@ -216,25 +216,24 @@ TEST(FluidOfElements, PacksGiveWhatTheirLanesGive) {
   expect_equal(advance<Pack<double, 8>, features>(scene), expected, features, 1e-12);
 }
 
-template <HourglassKind kind>
-void expect_rubber_packs_as_lanes() {
+/// What is kept lies from `place` on; take: gives the constants their law.
+template <HourglassKind kind, class Take>
+void expect_elastic_packs_as_lanes(int place, const Take& take) {
   ElementScene scene = random_element_scene();
   Random random(52);
   for (ElementState& state : scene.element) {
     if (state.mass == 0) continue;  // eroded
-    for (int c = 0; c < 6; ++c) {
-      state.material[static_cast<std::size_t>(material_places.deformation + c)] = uniform(random, -0.2, 0.2);
-    }
+    for (int c = 0; c < 6; ++c) state.material[static_cast<std::size_t>(place + c)] = uniform(random, -0.2, 0.2);
   }
   scene.constants.never_yields = true;
-  scene.constants.rubber = {true, 30, 10, 25, 40};
+  take(scene.constants);
   const ElementOutcome expected = advance<double, general<kind>>(scene);
   const ElementOutcome found = advance<Pack<double, 8>, general<kind>>(scene);
   expect_equal(found, expected, general<kind>, 1e-12);
   bool moved = false;
   for (std::size_t e = 0; e < expected.element.size(); ++e) {
     const auto &one = found.element[e].material, &other = expected.element[e].material;
-    for (std::size_t c = material_places.deformation; c < material_numbers; ++c) {
+    for (std::size_t c = place; c < material_numbers; ++c) {
       EXPECT_NEAR(one[c], other[c], 1e-12);
       moved = moved || other[c] != scene.element[e].material[c];
     }
@@ -243,10 +242,53 @@ void expect_rubber_packs_as_lanes() {
 }
 
 TEST(RubberOfElements, PacksGiveWhatTheirLanesGive) {
-  expect_rubber_packs_as_lanes<HourglassKind::none>();
-  expect_rubber_packs_as_lanes<HourglassKind::viscous>();
-  expect_rubber_packs_as_lanes<HourglassKind::stiffness>();
-  expect_rubber_packs_as_lanes<HourglassKind::assumed_strain>();
+  const auto rubber = [](ElementConstants<double>& c) { c.rubber = {true, 30, 10, 25, 40}; };
+  const int place = material_places.deformation;
+  expect_elastic_packs_as_lanes<HourglassKind::none>(place, rubber);
+  expect_elastic_packs_as_lanes<HourglassKind::viscous>(place, rubber);
+  expect_elastic_packs_as_lanes<HourglassKind::stiffness>(place, rubber);
+  expect_elastic_packs_as_lanes<HourglassKind::assumed_strain>(place, rubber);
+}
+
+/// Of its axes alone: lambda and mu are those of the isotropic material that the fixture has.
+ElementConstants<double> with_axes(ElementConstants<double> c) {
+  c.never_yields = true;
+  c.orthotropic.used = true;
+  c.orthotropic.lambda = 60, c.orthotropic.mu = 180;
+  const double moduli[21] = {400, 80, 50, 0, 0,  0, 200, 40, 0, 0, 0,  //
+                             100, 0,  0,  0, 60, 0, 0,   30, 0, 90};
+  std::copy(moduli, moduli + 21, c.orthotropic.moduli);
+  return c;
+}
+
+TEST(OrthotropicElements, PacksGiveWhatTheirLanesGive) {
+  const auto take = [](ElementConstants<double>& c) { c = with_axes(c); };
+  const int place = material_places.gradient;
+  expect_elastic_packs_as_lanes<HourglassKind::none>(place, take);
+  expect_elastic_packs_as_lanes<HourglassKind::viscous>(place, take);
+  expect_elastic_packs_as_lanes<HourglassKind::stiffness>(place, take);
+  expect_elastic_packs_as_lanes<HourglassKind::assumed_strain>(place, take);
+}
+
+/// Stretched and sheared in 200 steps: S = C : E of where it is, whatever the way, and its work is the energy.
+TEST(OrthotropicElements, KeepAsEnergyWhatTheyTake) {
+  const ElementConstants<double> c = with_axes(element_constants());
+  StrainedCube cube(c);
+  for (int i = 0; i < 200; ++i) cube.strain({0.5, -0.3, 0.2}, 0.4, 1e-3);
+  const Vec3<double> l = cube.stretch();
+  const double k = 0.4 * 0.2;  // dx over the undeformed y
+  const Symmetric<double> e{
+      0.5 * (l.x * l.x - 1), 0.5 * (l.y * l.y + k * k - 1), 0.5 * (l.z * l.z - 1), 0.5 * l.x * k, 0, 0};
+  const Symmetric<double> s = product_of_moduli<double>(c.orthotropic.moduli, e);
+  EXPECT_NEAR(s.xx, 400 * e.xx + 80 * e.yy + 50 * e.zz, 1e-12);
+  EXPECT_NEAR(s.xy, 2 * 60 * e.xy, 1e-12);
+  const double j = l.x * l.y * l.z;
+  const Symmetric<double>& found = cube.state().stress;  // F S F^T / J of F = {l.x, k; l.y; l.z}
+  EXPECT_NEAR(found.xx, (l.x * l.x * s.xx + 2 * l.x * k * s.xy + k * k * s.yy) / j, 1e-10);
+  EXPECT_NEAR(found.xy, (l.x * l.y * s.xy + k * l.y * s.yy) / j, 1e-10);
+  EXPECT_NEAR(found.yy, l.y * l.y * s.yy / j, 1e-10);
+  EXPECT_NEAR(found.zz, l.z * l.z * s.zz / j, 1e-10);
+  EXPECT_NEAR(cube.internal(), 0.5 * contract(s, e), 1e-4 * contract(s, e));
 }
 
 TEST(JohnsonCookOfElements, IsHeatedByPlasticWorkAndSoftens) {

@@ -157,6 +157,7 @@ Scene scene() {
                       .power_hardening = {},
                       .johnson_cook = {},
                       .mooney_rivlin = {},
+                      .orthotropic = {},
                       .fluid = {},
                       .equation_of_state = {},
                       .erosion = {}}};

@@ -25,6 +25,7 @@ Scene example() {
                       .power_hardening = {},
                       .johnson_cook = {},
                       .mooney_rivlin = {},
+                      .orthotropic = {},
                       .fluid = {},
                       .equation_of_state = {},
                       .erosion = {}}};
@@ -60,7 +61,7 @@ TEST(SceneListing, HasEveryKeyOfTheTablesThatAllScenesHave) {
   const std::set<std::string> apart{"name",    "use",       "young_modulus", "poisson_ratio",
                                     "mesh",    "pair",      "tied",          "times",  // otherwise
                                     "box",     "set",       "nodes",         "file",
-                                    "without", "tolerance", "mooney_rivlin"};  // where they are given
+                                    "without", "tolerance", "mooney_rivlin", "orthotropic"};  // where they are given
   for (const auto& [kind, table] :
        std::vector<std::pair<std::string, std::string>>{{"time", "time"},
                                                         {"element", "element"},

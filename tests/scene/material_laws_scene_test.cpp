@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <solver/scene/material/orthotropic_moduli.hpp>
 #include <solver/scene_rules.hpp>
 #include <tests/support/scene_fixture.hpp>
 
@@ -111,6 +112,51 @@ TEST_F(MaterialLawsScene, ReadsRubber) {
   EXPECT_THAT(error(rubber("a = 1, b = 0, poisson_ratio = 0.5")), HasSubstr("poisson_ratio: expected a number > 0"));
   EXPECT_THAT(error(rubber("a = 1, b = 0, poisson_ratio = 0.4", "young_modulus = 1e6")),
               HasSubstr("young_modulus: expected none beside mooney_rivlin"));
+}
+
+TEST_F(MaterialLawsScene, ReadsModuliAlongAxes) {
+  const auto wood = [&](const std::string& ratios, const std::string& more = "", const std::string& beside = "") {
+    std::vector<std::string> all = with(10, beside);
+    all[7] = "orthotropic = { young_moduli = [9e9, 5e9, 2e9], poisson_ratios = [" + ratios +
+             "], shear_moduli = [7e8, 5e8, 3e8]" + more + " }";
+    all[8] = "";
+    for (std::string& line : all) {
+      if (line.starts_with("model")) line = "model = \"elastic\"";
+    }
+    return all;
+  };
+  const Material m = read(wood("0.3, 0.2, 0.1")).materials.at(0);
+  const ElasticMatrix c = moduli_along_axes(*m.orthotropic);
+  // The strain of a stress along each axis: 1/E there, -nu/E across; nothing but that stress.
+  const double ratios[3][3] = {{-1, 0.3, 0.2}, {0.3 * 5 / 9, -1, 0.1}, {0.2 * 2 / 9, 0.1 * 2 / 5, -1}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      double stress = 0;
+      for (std::size_t j = 0; j < 3; ++j) stress -= c[i][j] * ratios[axis][j] / m.orthotropic->young_moduli[axis];
+      EXPECT_NEAR(stress, i == axis ? 1 : 0, 1e-14);
+    }
+  }
+  EXPECT_EQ(c[3][3], 7e8) << "ab";
+  EXPECT_EQ(c[4][4], 3e8) << "bc";
+  EXPECT_EQ(c[5][5], 5e8) << "ca";
+  EXPECT_EQ(moduli_in_scene(*m.orthotropic), c);
+  EXPECT_DOUBLE_EQ(m.bulk_modulus, (c[0][0] + c[1][1] + c[2][2] + 2 * (c[0][1] + c[0][2] + c[1][2])) / 9);
+  const Material turned =
+      read(wood("0.3, 0.2, 0.1", ", first_axis = [0, 3, 0], second_axis = [0, 1, 2]")).materials.at(0);
+  const ElasticMatrix t = moduli_in_scene(*turned.orthotropic);  // a, b, c along y, z, x
+  EXPECT_NEAR(t[1][1], c[0][0], 1e-6);
+  EXPECT_NEAR(t[2][2], c[1][1], 1e-6);
+  EXPECT_NEAR(t[0][0], c[2][2], 1e-6);
+  EXPECT_NEAR(t[1][2], c[0][1], 1e-6);
+  EXPECT_NEAR(t[4][4], c[3][3], 1e-6) << "yz is ab";
+  EXPECT_NEAR(t[3][3], c[5][5], 1e-6) << "xy is ca";
+  EXPECT_NEAR(turned.bulk_modulus, m.bulk_modulus, 1e-3);
+  EXPECT_THAT(error(wood("1.4, 0.2, 0.1")), HasSubstr("orthotropic.poisson_ratios: expected |nu_ab| < sqrt(E_a/E_b)"));
+  EXPECT_THAT(error(wood("1.2, 1.2, 0.5")), HasSubstr("that every strain has an energy"));
+  EXPECT_THAT(error(wood("0.3, 0.2, 0.1", ", second_axis = [2, 0, 0]")), HasSubstr("not along first_axis"));
+  EXPECT_THAT(error(wood("0.3, 0.2, 0.1", ", first_axis = [0, 0, 0]")), HasSubstr("expected a direction, not zero"));
+  EXPECT_THAT(error(wood("0.3, 0.2, 0.1", "", "young_modulus = 1e6")),
+              HasSubstr("young_modulus: expected none beside orthotropic"));
 }
 
 TEST_F(MaterialLawsScene, OverridesReachIntoThem) {

@@ -4,6 +4,7 @@
 
 #include <solver/base/state_archive.hpp>
 #include <solver/summary.hpp>
+#include <tests/support/law_materials.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
@@ -204,6 +205,14 @@ TEST(Restart, StrainOfRubberAndEnergyOfFluids) {
   water.equation_of_state.emplace();
   water.equation_of_state->sound_speed = 1500;
   scene.materials = {rubber, water};
+  expect_same_after_restart<double>(scene);
+  expect_same_after_restart<float>(scene, {0.6});
+}
+
+TEST(Restart, DeformationOfWhatHasAxes) {
+  Scene scene = scene_of({block("bar", {6, 3, 3}, 0.1, {0, 0, 0}, {0, 5, -20}, "wood")}, 8e-4, false);
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  scene.materials = {orthotropic()};
   expect_same_after_restart<double>(scene);
   expect_same_after_restart<float>(scene, {0.6});
 }

@@ -13,6 +13,16 @@ inline Material rubber() {
   return m;
 }
 
+/// Of another stiffness along each of its axes, which lie across those of the scene.
+inline Material orthotropic() {
+  Material m;
+  m.name = "wood";
+  m.density = 7850;
+  m.orthotropic = OrthotropicSettings{
+      {2.1e11, 1.2e11, 0.8e11}, {0.3, 0.35, 0.25}, {0.5e11, 0.6e11, 0.3e11}, {1, 0.5, 0.2}, {0, 1, 1}};
+  return m;
+}
+
 /// Mie-Grueneisen.
 inline Material with_equation_of_state() {
   Material m = plastic_material("metal", 3e8, 0);

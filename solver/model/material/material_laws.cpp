@@ -1,8 +1,12 @@
 #include "material_laws.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
+#include <solver/scene/material/orthotropic_moduli.hpp>
 #include <solver/scene/material/pressure_table.hpp>
 
 #include "yield_curves.hpp"
@@ -36,6 +40,42 @@ MooneyRivlinConstants<S> rubber_constants(const Material& material) {
   const auto& [a, b, nu] = *material.mooney_rivlin;
   const double c = a / 2 + b, d = (a * (5 * nu - 2) + b * (11 * nu - 5)) / (2 * (1 - 2 * nu));
   return {true, static_cast<S>(a), static_cast<S>(b), static_cast<S>(c), static_cast<S>(d)};
+}
+
+namespace {
+
+/// lambda and mu with which an isotropic material is at least as stiff in any strain: lambda of the mean of the moduli
+/// between two axes, and 2 mu the largest eigenvalue of what is left, so that both are those of an isotropic one.
+std::array<double, 2> stiffest_moduli(const ElasticMatrix& c) {
+  const double lambda = std::max(0.0, (c[0][1] + c[0][2] + c[1][2]) / 3);
+  Eigen::Matrix<double, 6, 6> left;
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      // shears over the square root of two: the norm of the strain is that of its tensor
+      const double factor = (i < 3 ? 1 : std::sqrt(2.0)) * (j < 3 ? 1 : std::sqrt(2.0));
+      left(i, j) = factor * c[i][j] - (i < 3 && j < 3 ? lambda : 0);
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> values(left, Eigen::EigenvaluesOnly);
+  return {lambda, values.eigenvalues()(5) / 2};
+}
+
+}  // namespace
+
+template <class S>
+OrthotropicConstants<S> orthotropic_constants(const Material& material) {
+  OrthotropicConstants<S> law;
+  if (!material.orthotropic || material.plastic) return law;
+  const ElasticMatrix moduli = moduli_in_scene(*material.orthotropic);
+  law.used = true;
+  int k = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = i; j < 6; ++j) law.moduli[k++] = static_cast<S>(moduli[i][j]);
+  }
+  const auto [lambda, mu] = stiffest_moduli(moduli_along_axes(*material.orthotropic));
+  law.lambda = static_cast<S>(lambda);
+  law.mu = static_cast<S>(mu);
+  return law;
 }
 
 template <class S>
@@ -107,6 +147,7 @@ MaterialPlaces material_places(const Material& material) {
     keep(places.strain, 6);
   }
   if (material.mooney_rivlin && !material.plastic) keep(places.deformation, 6);
+  if (material.orthotropic && !material.plastic) keep(places.gradient, 9);
   if (!material.plastic) return places;
   if (material.isotropic_share < 1) keep(places.back_stress, 5);
   if (const auto& law = material.johnson_cook) {
@@ -121,6 +162,8 @@ template JohnsonCookConstants<double> johnson_cook_constants<double>(const Mater
 template JohnsonCookConstants<float> johnson_cook_constants<float>(const Material&);
 template MooneyRivlinConstants<double> rubber_constants<double>(const Material&);
 template MooneyRivlinConstants<float> rubber_constants<float>(const Material&);
+template OrthotropicConstants<double> orthotropic_constants<double>(const Material&);
+template OrthotropicConstants<float> orthotropic_constants<float>(const Material&);
 template FluidConstants<double> fluid_constants<double>(const Material&);
 template FluidConstants<float> fluid_constants<float>(const Material&);
 template EquationOfState<double> pressure_constants<double>(const Material&);

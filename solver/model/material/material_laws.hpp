@@ -13,6 +13,8 @@ JohnsonCookConstants<S> johnson_cook_constants(const Material& material);
 template <class S>
 MooneyRivlinConstants<S> rubber_constants(const Material& material);
 template <class S>
+OrthotropicConstants<S> orthotropic_constants(const Material& material);
+template <class S>
 FluidConstants<S> fluid_constants(const Material& material);
 
 /// The linear pressure of a material without an equation of state.

@@ -95,7 +95,7 @@ SchemaJson material_schema() {
   const SchemaJson moduli{{"oneOf",
                            {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
                             required({"equation_of_state", "shear_modulus"}), required({"mooney_rivlin"}),
-                            required({"equation_of_state", "fluid"})}}};
+                            required({"orthotropic"}), required({"equation_of_state", "fluid"})}}};
   const SchemaJson all_of_it{{"required", table["required"]}, {"allOf", {moduli, yield}}};
   table["required"] = {"name"};
   table["allOf"] = {{{"if", required({"use"})}, {"then", SchemaJson::object()}, {"else", all_of_it}}};

@@ -159,6 +159,12 @@ std::optional<Problem> problem_of(const Material& material) {
   if (const auto& rubber = material.mooney_rivlin; rubber && !(rubber->a + rubber->b > 0)) {
     return Problem{"mooney_rivlin.a", fmt::format("expected a + b > 0, got {}", rubber->a + rubber->b)};
   }
+  if (material.orthotropic) {
+    if (material.mooney_rivlin) return Problem{"mooney_rivlin", "expected none beside orthotropic"};
+    if (const auto problem = problem_of(*material.orthotropic)) {
+      return Problem{fmt::format("orthotropic.{}", problem->key), problem->text};
+    }
+  }
   if (material.fluid) {
     if (const auto problem = problem_of_fluid(material)) return problem;
   }

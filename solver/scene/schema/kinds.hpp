@@ -30,6 +30,7 @@ constexpr Kind kind(Of<YieldCurve>) { return {"yield_curves", "material.NAME.yie
 constexpr Kind kind(Of<PowerHardeningSettings>) { return {"power_hardening", "material.NAME.power_hardening"}; }
 constexpr Kind kind(Of<JohnsonCookSettings>) { return {"johnson_cook", "material.NAME.johnson_cook"}; }
 constexpr Kind kind(Of<MooneyRivlinSettings>) { return {"mooney_rivlin", "material.NAME.mooney_rivlin"}; }
+constexpr Kind kind(Of<OrthotropicSettings>) { return {"orthotropic", "material.NAME.orthotropic"}; }
 constexpr Kind kind(Of<FluidSettings>) { return {"fluid", "material.NAME.fluid"}; }
 constexpr Kind kind(Of<EquationOfStateSettings>) { return {"equation_of_state", "material.NAME.equation_of_state"}; }
 constexpr Kind kind(Of<ErosionSettings>) { return {"erosion", "material.NAME.erosion"}; }

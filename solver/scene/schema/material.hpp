@@ -36,8 +36,8 @@ constexpr void describe(Of<OneYieldCurve>, Visit&& visit) {
 }
 
 /// The tables that a material may have in it.
-using TablesOfMaterial = Types<PowerHardeningSettings, JohnsonCookSettings, MooneyRivlinSettings, FluidSettings,
-                               EquationOfStateSettings, ErosionSettings>;
+using TablesOfMaterial = Types<PowerHardeningSettings, JohnsonCookSettings, MooneyRivlinSettings, OrthotropicSettings,
+                               FluidSettings, EquationOfStateSettings, ErosionSettings>;
 template <class Part>
 requires is_one_of<Part, TablesOfMaterial>
 struct IsInnerTable<Part> : std::true_type {
@@ -104,6 +104,20 @@ constexpr void describe(Of<MooneyRivlinSettings>, Visit&& visit) {
       &T::poisson_ratio,
       "of small strains, whose shear modulus is 2 (A + B)",
       {.unit = "-", .bound = {.low = 0.0, .low_open = true, .high = 0.5, .high_open = true}, .need = Need::required}});
+}
+
+template <class Visit>
+constexpr void describe(Of<OrthotropicSettings>, Visit&& visit) {
+  using T = OrthotropicSettings;
+  visit(Key{"young_moduli", &T::young_moduli, "`[E_a, E_b, E_c]`", {.unit = "M/(L T^2)", .need = Need::required}});
+  visit(Key{"poisson_ratios",
+            &T::poisson_ratios,
+            "`[nu_ab, nu_ac, nu_bc]`: the first of two letters is the direction of the tension, the other that of the "
+            "contraction; nu_ba = nu_ab E_b/E_a",
+            {.unit = "-", .need = Need::required}});
+  visit(Key{"shear_moduli", &T::shear_moduli, "`[G_ab, G_ac, G_bc]`", {.unit = "M/(L T^2)", .need = Need::required}});
+  visit(Key{"first_axis", &T::first_axis, "a, in the scene at the start, of any length", {.unit = "-"}});
+  visit(Key{"second_axis", &T::second_axis, "in the plane of a and b, on the side of b; not along a", {.unit = "-"}});
 }
 
 template <class Visit>
@@ -334,6 +348,12 @@ constexpr void describe(Of<Material>, Visit&& visit) {
            "none"}}.only_where(plastic));
   visit(Key{
       "mooney_rivlin", &T::mooney_rivlin, "table (below): rubber, in the place of the moduli", {.otherwise = "none"}}
+            .only_where([](const Material& material) { return !material.plastic; }, "with model = \"von_mises\""));
+  visit(Key{"orthotropic",
+            &T::orthotropic,
+            "table (below): moduli that differ with the direction, for small strains and any rotation, in the place of "
+            "the moduli",
+            {.otherwise = "none"}}
             .only_where([](const Material& material) { return !material.plastic; }, "with model = \"von_mises\""));
   visit(Key{"fluid",
             &T::fluid,

@@ -235,6 +235,26 @@ TEST_F(DeckMaterials, JohnsonAndCookNameTheFieldThatIsMissing) {
   EXPECT_THAT(with("510.,0.26,", "510.,0.,"), HasSubstr("*MAT_015: N: expected more than 0 beside B"));
 }
 
+TEST_F(DeckMaterials, OrthotropicElasticityHasItsConstantsAndAxes) {
+  const auto wood = [](const std::string& ratios, const std::string& option, const std::string& axis) {
+    return cube + ends + "*MAT_002\n1,1.E-9,9000.,5000.,2000.," + ratios + "\n700.,300.,500.," + option +
+           "\n,,,1.,1.,0.\n,,," + axis + "\n";
+  };
+  const Material m = material(wood("0.1,0.05,0.12", "2.", "0.,1.,0."));
+  EXPECT_FALSE(m.plastic);
+  ASSERT_TRUE(m.orthotropic.has_value());
+  EXPECT_EQ(m.orthotropic->young_moduli, (Point{9000, 5000, 2000}));
+  EXPECT_DOUBLE_EQ(m.orthotropic->poisson_ratios[0], 0.1 * 9000 / 5000);
+  EXPECT_DOUBLE_EQ(m.orthotropic->poisson_ratios[1], 0.05 * 9000 / 2000);
+  EXPECT_DOUBLE_EQ(m.orthotropic->poisson_ratios[2], 0.12 * 5000 / 2000);
+  EXPECT_EQ(m.orthotropic->shear_moduli, (Point{700, 500, 300})) << "ab, ac, bc";
+  EXPECT_EQ(m.orthotropic->first_axis, (Point{1, 1, 0}));
+  EXPECT_EQ(m.orthotropic->second_axis, (Point{0, 1, 0}));
+  EXPECT_THAT(error(wood("0.1,0.05,0.12", "", "0.,1.,0.")), HasSubstr("AOPT: expected 2"));
+  EXPECT_THAT(error(wood("0.1,0.05,0.12", "2.", "2.,2.,0.")), HasSubstr("second_axis"));
+  EXPECT_THAT(error(wood("0.9,0.05,0.12", "2.", "0.,1.,0.")), HasSubstr("poisson_ratios"));
+}
+
 TEST_F(DeckMaterials, MooneyAndRivlinHaveTheirConstants) {
   const auto rubber = [](const std::string& rest, const std::string& test = "") {
     return cube + ends + "*MAT_027\n1,1.1E-9," + rest + "\n" + test + "\n";

@@ -57,6 +57,14 @@ inline DataLine only_card(const AbaqusBlock& block, const char* what) {
   return lines.require(what);
 }
 
+/// Whether *ELASTIC has constants along three axes.
+bool is_orthotropic(const AbaqusBlock& elastic);
+/// Of such a one, with *ORIENTATION of its sections.
+void set_orthotropic_elasticity(AbaqusData& data, const WrittenMaterial& material, const AbaqusBlock& block,
+                                MaterialKeys keys);
+/// orthotropic: keys of the materials that have axes.
+void tell_unused_orientations(AbaqusData& data, const std::set<std::string>& orthotropic);
+
 /// PLASTIC, HARDENING=JOHNSON COOK, with RATE DEPENDENT of the same law.
 void set_johnson_cook(AbaqusData& data, const WrittenMaterial& material, const MaterialKeys& keys);
 

@@ -158,8 +158,12 @@ void set_plasticity(AbaqusData& data, const WrittenMaterial& material, MaterialK
 }
 
 /// Moduli; where plastic work warms it and it expands, the bulk modulus as part of an equation of state.
-void set_elasticity(const WrittenMaterial& material, double density, MaterialKeys keys) {
+void set_elasticity(AbaqusData& data, const WrittenMaterial& material, double density, MaterialKeys keys) {
   const AbaqusBlock& block = required(material.deck, "ELASTIC", "*ELASTIC");
+  if (is_orthotropic(block)) {
+    set_orthotropic_elasticity(data, material, block, keys);
+    return;
+  }
   const DataLine elastic = only_card(block, "Young's modulus and Poisson's ratio");
   const DataFields f(elastic);
   const double young = f.number(0, "Young's modulus"), poisson = f.number(1, "Poisson's ratio", 0.0);
@@ -228,7 +232,7 @@ void write_material(AbaqusData& data, const WrittenMaterial& material, DeckScene
   keys.set("model", plastic != nullptr ? "von_mises" : "elastic");
   keys.from({"*DENSITY", card.place});
   keys.set("density", material.mass_factor * density);
-  set_elasticity(material, density, keys);
+  set_elasticity(data, material, density, keys);
   if (plastic != nullptr) {
     keys.from(card_of(*plastic, plastic->place));
     set_plasticity(data, material, keys);
@@ -288,7 +292,7 @@ std::map<std::string, double> abaqus_moduli(const AbaqusDeck& deck) {
 
 void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
   const std::map<std::string, AbaqusMaterial> materials = materials_of(data.deck);
-  std::set<std::string> written;
+  std::set<std::string> written, orthotropic;
   for (const AbaqusBody& body : data.bodies) {
     const auto found = materials.find(body.material);
     const AbaqusBlock& section = *data.mesh.sections[body.section].block;
@@ -301,9 +305,12 @@ void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
   for (const AbaqusBody& body : data.bodies) {
     if (!written.insert(body.material).second) continue;
     const AbaqusMaterial& material = materials.at(body.material);
+    if (const AbaqusBlock* elastic = material.option("ELASTIC"); elastic != nullptr && is_orthotropic(*elastic))
+      orthotropic.insert(body.material);
     const bool warms = is_adiabatic(data.deck) && material.option("PLASTIC") != nullptr;
     write_material(data, {material, body.material, factor, warms}, scene);
   }
+  tell_unused_orientations(data, orthotropic);
   tell_unused_temperatures(data);
 }
 

@@ -39,10 +39,11 @@ const std::vector<AbaqusRule>& abaqus_rules() {
        "strain",
        "NAME HOURGLASS=ENHANCED|RELAXSTIFFNESS|STIFFNESS|VISCOUS KINEMATICSPLIT SECONDORDERACCURACY "
        "DISTORTIONCONTROL=NO|YES LENGTHRATIO ELEMENTDELETION MAXDEGRADATION"},
-      {"ORIENTATION", ignored, "materials are isotropic"},
+      {"ORIENTATION", done, "RECTANGULAR, of sections whose material is orthotropic", "NAME SYSTEM DEFINITION"},
       {"MATERIAL", done, "", "NAME"},
       {"DENSITY", done, "a constant"},
-      {"ELASTIC", done, "isotropic constants", "TYPE=ISOTROPIC|ISO"},
+      {"ELASTIC", done, "isotropic constants; orthotropic ones where nothing yields",
+       "TYPE=ISOTROPIC|ISO|ORTHOTROPIC|ORTHO|ENGINEERINGCONSTANTS"},
       {"PLASTIC", done,
        "table, also for several RATEs; KINEMATIC of two points; JOHNSON COOK, softening where the step is ADIABATIC",
        "HARDENING=ISOTROPIC|KINEMATIC|JOHNSONCOOK RATE"},

@@ -5,6 +5,7 @@
 
 #include <solver/formats/lsdyna/layouts/rigid_cards.hpp>
 
+#include "deck_elastic_laws.hpp"
 #include "deck_parts.hpp"
 #include "keyword_rules.hpp"
 
@@ -17,7 +18,8 @@ using MaterialKeys = DeckKeys<Material>;
 MaterialKeys begin_material(std::int64_t id, const std::string& title, const KeywordBlock& block, const Fields& f,
                             DeckScene& scene) {
   const std::string kind = keyword_alias(block.name);
-  const bool plastic = kind != "MAT_ELASTIC" && kind != "MAT_RIGID" && kind != "MAT_MOONEY-RIVLIN_RUBBER";
+  const bool plastic = kind != "MAT_ELASTIC" && kind != "MAT_RIGID" && kind != "MAT_MOONEY-RIVLIN_RUBBER" &&
+                       kind != "MAT_ORTHOTROPIC_ELASTIC";
   auto keys = scene.entry<Material>("material", {block.star_name(), f.place()});
   keys.comment(title);
   keys.set("name", fmt::format("mat_{}", id));
@@ -38,6 +40,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_RIGID") return layout::rigid;
   if (kind == "MAT_NULL") return layout::null;
   if (kind == "MAT_MOONEY-RIVLIN_RUBBER") return layout::mooney_rivlin;
+  if (kind == "MAT_ORTHOTROPIC_ELASTIC") return layout::orthotropic;
   if (kind == "MAT_POWER_LAW_PLASTICITY") return layout::power_law;
   return kind == "MAT_PLASTIC_KINEMATIC" ? layout::kinematic : layout::piecewise;
 }
@@ -210,17 +213,6 @@ void set_null(DeckData& data, const Fields& f, const DeckStateEquation& equation
   keys.set("equation_of_state", given_state_equation(equation, limit), equation.card.text());
 }
 
-/// *MAT_027, with its constants: from the curve of a test they would be fitted.
-void set_rubber(DeckData& data, const Fields& f, Cards& cards, const MaterialKeys& keys) {
-  const Card card = cards.next_or_blank();
-  const Fields more = data.fields(card, layout::mooney_rivlin_test);
-  InnerKeys<MooneyRivlinSettings> rubber;
-  rubber.set("a", f.number("A"));
-  rubber.set("b", f.number("B"));
-  rubber.set("poisson_ratio", f.number("PR"));
-  keys.set("mooney_rivlin", rubber.value(), "a, b, pr");
-}
-
 /// A curve as a value of a key; rate: negative: it is the only one.
 GivenValue given_curve(const DeckCurve& curve, const DeckPlace& place, double factor = 1.0, double rate = -1.0) {
   std::vector<double> strain = curve.abscissa, stress = curve.ordinate;
@@ -375,6 +367,10 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
   data.reject_state_equations(id, block.star_name());
   if (kind == "MAT_MOONEY-RIVLIN_RUBBER") {
     set_rubber(data, f, cards, keys);
+    return;
+  }
+  if (kind == "MAT_ORTHOTROPIC_ELASTIC") {
+    set_orthotropic(data, f, cards, keys);
     return;
   }
   set_elasticity(f, keys);

@@ -46,6 +46,7 @@ const std::vector<KeywordRule>& keyword_rules() {
       {"MAT_PLASTIC_KINEMATIC", done, "MAT_003: isotropic, kinematic, mixed; Cowper-Symonds; failure strain",
        in_other_units},
       {"MAT_NULL", done, "MAT_009: a fluid of the viscosity MU and a limit PC of tension; with an equation of state"},
+      {"MAT_ORTHOTROPIC_ELASTIC", done, "MAT_002 with AOPT 2: axes by A and D"},
       {"MAT_MOONEY-RIVLIN_RUBBER", done, "MAT_027: A, B and PR; not fitted to a test", in_other_units},
       {"MAT_POWER_LAW_PLASTICITY", done, "MAT_018: K, N, SIGY or where E crosses the power; Cowper-Symonds; EPSF"},
       {"MAT_PIECEWISE_LINEAR_PLASTICITY", done, "MAT_024: curve, table over the rate, EPS and ES; Cowper-Symonds; FAIL",
@@ -205,6 +206,8 @@ std::string keyword_alias(const std::string& name) {
   static const std::map<std::string, std::string> aliases{
       {"MAT_001", "MAT_ELASTIC"},
       {"MAT_1", "MAT_ELASTIC"},
+      {"MAT_002", "MAT_ORTHOTROPIC_ELASTIC"},
+      {"MAT_2", "MAT_ORTHOTROPIC_ELASTIC"},
       {"MAT_003", "MAT_PLASTIC_KINEMATIC"},
       {"MAT_3", "MAT_PLASTIC_KINEMATIC"},
       {"MAT_009", "MAT_NULL"},

@@ -8,6 +8,8 @@
 
 #include <solver/formats/lsdyna/mesh/keyword_transformation.hpp>
 
+#include "keyword_rules.hpp"
+
 namespace pinball {
 
 namespace {
@@ -22,6 +24,7 @@ bool has_places(const KeywordBlock& block) {
 }
 /// Its cards give vectors.
 bool has_vectors(const KeywordBlock& block) {
+  if (keyword_alias(block.name) == "MAT_ORTHOTROPIC_ELASTIC") return true;
   return begins_with_one_of(block.name,
                             {"DEFINE_VECTOR", "DEFINE_COORDINATE_", "INITIAL_VELOCITY", "LOAD_BODY_VECTOR"});
 }

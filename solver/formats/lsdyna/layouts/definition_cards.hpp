@@ -167,6 +167,39 @@ inline constexpr CardLayout mooney_rivlin{material_id,
 inline constexpr CardLayout mooney_rivlin_test{number("SGL").rejected(of_a_test), number("SW").rejected(of_a_test),
                                                number("ST").rejected(of_a_test), whole("LCID").rejected(of_a_test)};
 
+inline constexpr std::string_view of_other_axes = "of another AOPT than 2";
+inline constexpr CardLayout orthotropic{material_id,
+                                        density,
+                                        material_stress("EA").always(),
+                                        material_stress("EB").always(),
+                                        material_stress("EC").always(),
+                                        number("PRBA"),
+                                        number("PRCA"),
+                                        number("PRCB")};
+inline constexpr CardLayout orthotropic_shear{material_stress("GAB").always(),
+                                              material_stress("GBC").always(),
+                                              material_stress("GCA").always(),
+                                              number("AOPT"),
+                                              number("G").reported("of damping that depends on the frequency"),
+                                              number("SIGF").reported("of damping that depends on the frequency")};
+inline constexpr CardLayout orthotropic_first{
+    number("XP").reported(of_other_axes),
+    number("YP").reported(of_other_axes),
+    number("ZP").reported(of_other_axes),
+    number("A1"),
+    number("A2"),
+    number("A3"),
+    whole("MACF", 1).rejected("leave it 1: the axes are a, b and c"),
+    whole("IHIS").rejected("leave it 0: axes and moduli are those of the card")};
+inline constexpr CardLayout orthotropic_second{number("V1").reported(of_other_axes),
+                                               number("V2").reported(of_other_axes),
+                                               number("V3").reported(of_other_axes),
+                                               number("D1"),
+                                               number("D2"),
+                                               number("D3"),
+                                               number("BETA").reported(of_other_axes),
+                                               number("REF").rejected("leave it 0: the mesh has no stress")};
+
 inline constexpr CardField state_equation_id = whole("EOSID").always();
 inline constexpr std::string_view at_rest = "leave it blank: bodies press on nothing at the start";
 inline constexpr CardLayout grueneisen{state_equation_id, number("C").always().of(Dimension::velocity),

@@ -66,6 +66,9 @@ void add_definitions(Table& table) {
   table.push_back({"MAT_ELASTIC", "", {&l::elastic}});
   table.push_back({"MAT_PLASTIC_KINEMATIC", "", {&l::kinematic, &l::kinematic_rate}});
   table.push_back({"MAT_NULL", "", {&l::null}});
+  table.push_back({"MAT_ORTHOTROPIC_ELASTIC",
+                   "",
+                   {&l::orthotropic, &l::orthotropic_shear, &l::orthotropic_first, &l::orthotropic_second}});
   table.push_back({"MAT_MOONEY-RIVLIN_RUBBER", "", {&l::mooney_rivlin, &l::mooney_rivlin_test}});
   table.push_back({"MAT_POWER_LAW_PLASTICITY", "", {&l::power_law, &l::power_law_more}});
   table.push_back({"MAT_PIECEWISE_LINEAR_PLASTICITY", "SIGY and ETAN", {&l::piecewise, &l::piecewise_rate}});
