@@ -13,6 +13,7 @@ namespace pinball {
 namespace {
 
 constexpr double largest_strain = 0.25;
+constexpr double element_edge = 0.01;  // of each element [length]
 
 /// Where f, which rises, becomes 0 between 0 and `end`.
 double root(double end, const std::function<double(double)>& f) {
@@ -38,6 +39,13 @@ struct ElasticShear {
 double elastic_pressure(const Material& m, double k) {
   const double lambda = m.bulk_modulus - 2 * m.shear_modulus / 3, j = std::exp(-k);
   return -(m.shear_modulus * (j - 1 / j) / 3 + 0.5 * lambda * (j - 1 / j));
+}
+
+/// 2/dt of the largest stable step of a cube of edge h that is pressed along z by the logarithmic strain k and gives
+/// way sideways, with its volume: sqrt(8 V/m (2 mu s_z + lambda tr s)), s = 1/(2 l^2) along an edge l.
+double stable_rate(const Material& m, double h, double k) {
+  const double lambda = m.bulk_modulus - 2 * m.shear_modulus / 3, pressed = std::exp(2 * k), wide = std::exp(-k);
+  return std::sqrt(8 / m.density * (2 * m.shear_modulus * pressed + lambda * (pressed + 2 * wide)) / (2 * h * h));
 }
 
 /// s_xx - s_yy of F = diag(e^k, e^-k, 1), of a material whose axes are along y, z, x: sigma = F S F^T of the S for
@@ -122,7 +130,7 @@ std::vector<std::pair<std::string, double>> failures(const Bodies& bodies, doubl
   const auto with_elastic = [&](double plastic, const Material& m) {
     return (plastic + m.yield_stress / (3 * m.shear_modulus)) / to_effective;
   };
-  const Material& pressed = of("compression");
+  const Material &pressed = of("compression"), &flat = of("smallest_step");
   return {
       {"plastic_strain", with_elastic(strain.erosion_strain, strain)},
       {"damage", with_elastic(ductility, damage)},
@@ -140,6 +148,9 @@ std::vector<std::pair<std::string, double>> failures(const Bodies& bodies, doubl
       {"time", of("time").erosion->time * speed},
       {"compression",
        root(largest_strain, [&](double k) { return elastic_pressure(pressed, k) - pressed.erosion->compression; })},
+      {"smallest_step",
+       root(largest_strain,
+            [&](double k) { return stable_rate(flat, element_edge, k) - 2 / flat.erosion->smallest_step; })},
   };
 }
 
@@ -190,10 +201,14 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
 std::vector<VerificationRow> verify_material_laws(const Scene& scene) {
   const Bodies bodies(scene);
   const double speed = largest_strain / scene.time.end;
-  const double pressed_from = scene.bodies[bodies.number("compression")].position[0] - 0.005;
+  const auto from = [&](const char* name) {
+    return scene.bodies[bodies.number(name)].position[0] - 0.5 * element_edge;
+  };
+  const double pressed_from = from("compression"), flattened_from = from("smallest_step");
   Solver<double> solver(scene);
   PrescribedMotion motion(solver, [=](const Point& x, double t) {
     const double k = speed * t;
+    if (x[0] > flattened_from) return Point{std::exp(k / 2) * x[0], std::exp(k / 2) * x[1], std::exp(-k) * x[2]};
     if (x[0] > pressed_from) return Point{x[0], x[1], std::exp(-k) * x[2]};
     return Point{std::exp(k) * x[0], std::exp(-k) * x[1], x[2]};
   });
