@@ -51,6 +51,7 @@ void RigidBodies<S>::begin_step(double time) {
     choose_given(body, time);
     body.motion.begin(body.given);
     body.shared = false;
+    body.change_of_spin = {};
     before_[b] = body.motion.state();
     sides_.bodies[b] = body.motion.side();
   }
@@ -191,6 +192,33 @@ void RigidBodies<S>::put_nodes(Model<S>& model, const Body& body) const {
       record(velocities, n)[k] = static_cast<S>(v[k]);
     }
   });
+}
+
+template <class S>
+void RigidBodies<S>::put_ways(Model<S>& model, double dt) const {
+  if (!(dt > 0)) return;
+  S* const velocities = model.nodes.velocity.data();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Body& body = bodies_[b];
+    RigidBodyMotion before = body.motion;
+    before.state() = before_[b];
+    const std::array<Point, 3> from = before.rotation(), to = body.motion.rotation();
+    const Point& velocity = body.motion.state().velocity;
+    for_each<Space>("ways of nodes of a rigid body", std::ssize(body.common), [&](std::int64_t i) {
+      const double* const arm = record(body.arm.data(), body.common[i]);
+      const Point r = times(to, arm), way = minus(r, times(from, arm));
+      const Point v = velocity_at(velocity, body.change_of_spin, r);
+      S* const put = record(velocities, body.nodes[body.common[i]]);
+      for (std::size_t k = 0; k < 3; ++k) put[k] = static_cast<S>(v[k] + way[k] / dt);
+    });
+  }
+}
+
+template <class S>
+void RigidBodies<S>::put_velocities(Model<S>& model) const {
+  for (const Body& body : bodies_) {
+    if (!body.common.empty()) put_nodes(model, body);
+  }
 }
 
 template <class S>

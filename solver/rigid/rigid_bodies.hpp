@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -34,6 +35,10 @@ class RigidBodies {
   RigidBodies& operator=(const RigidBodies&) = delete;
 
   bool any() const { return !bodies_.empty(); }
+  /// Whether elements that deform have nodes of them.
+  bool has_common_nodes() const {
+    return std::ranges::any_of(bodies_, [](const Body& body) { return !body.common.empty(); });
+  }
   /// Longest step that turns no body by more than a hundredth of a radian; where nothing of a scene deforms also a
   /// thousandth of the run, and with contact by springs the step that the elements would need [time].
   double longest_step() const;
@@ -42,6 +47,11 @@ class RigidBodies {
 
   // In a step, in this order. time: of the forces.
 
+  /// While elements that deform are updated, those of their nodes that are of bodies have the velocities of their ways
+  /// from t_(n-1) to t_n, over dt: else these elements would strain as their bodies turn.
+  void put_ways(Model<S>& model, double dt) const;
+  /// And then again those at t_n.
+  void put_velocities(Model<S>& model) const;
   void begin_step(double time);
   /// Forces of all on the nodes become those of the common motion; once more where contact has added some since.
   void share_forces(Model<S>& model, double time, const StepLengths& step);
@@ -70,6 +80,7 @@ class RigidBodies {
   struct Body {
     std::string name;
     std::vector<std::int32_t> nodes;      ///< of the store, ascending
+    std::vector<std::int32_t> common;     ///< places in `nodes` of those of elements that deform
     Array<double> arm;                    ///< records: from the centre to the nodes at the start [length]
     GivenMotion held;                     ///< at all times
     std::vector<std::size_t> motions;     ///< of the scene, that move it
@@ -82,8 +93,10 @@ class RigidBodies {
     Point moment_beside{};           ///< of gravity in this step, above that on the nodes [force length]
     bool shared = false;             ///< the forces of its nodes are those of load()
     Wrench acting;                   ///< of all that acts on it in this step but joints
+    Point change_of_spin{};          ///< by others since the last step [1/time]
     RigidBodyMotion motion;
   };
+  void find_common_nodes(const Model<S>& model);
   // scene_node: number in the scene per node of the store.
   void add_body(const Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node);
   void check_motions(const Scene& scene) const;

@@ -77,6 +77,7 @@ RigidBodies<S>::RigidBodies(Model<S>& model) : motions_(model.scene.rigid_motion
   sides_.body_of_node.assign(model.nodes.count, -1);
   const std::vector<std::int32_t> scene_node = inverse_permutation(model.node_of_scene_node);
   for (std::size_t r = 0; r < model.rigid.size(); ++r) add_body(model, r, scene_node);
+  find_common_nodes(model);
   check_motions(model.scene);
   sides_.bodies.resize(bodies_.size());
   before_.resize(bodies_.size());
@@ -96,6 +97,20 @@ template <class S>
 RigidBodies<S>::~RigidBodies() = default;
 
 template <class S>
+void RigidBodies<S>::find_common_nodes(const Model<S>& model) {
+  std::vector<bool> deforms(model.nodes.count, false);
+  for (std::int64_t e = 0; e < model.mesh.element_count(); ++e) {
+    if (model.rigid_of_body[model.mesh.body[e]] >= 0) continue;
+    for (const std::int32_t n : model.mesh.hexahedra[e]) deforms[model.node_of_scene_node[n]] = true;
+  }
+  for (Body& body : bodies_) {
+    for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+      if (deforms[body.nodes[i]]) body.common.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+}
+
+template <class S>
 void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node) {
   const RigidBody& given = model.scene.rigid_bodies[number];
   const std::vector<std::int32_t>& nodes = model.rigid[number].nodes;
@@ -107,6 +122,7 @@ void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const s
   Body& body = bodies_.emplace_back(Body{
       .name = given.name,
       .nodes = nodes,
+      .common = {},
       .arm = Array<double>(4 * nodes.size()),
       .held = {},
       .motions = {},
@@ -266,10 +282,19 @@ void RigidBodies<S>::keep_joints(Model<S>& model, bool of_start) {
 template <class S>
 void RigidBodies<S>::take_velocities(Model<S>& model) {
   const std::vector<std::int32_t> scene_node = inverse_permutation(model.node_of_scene_node);
+  const auto spin_of = [](const Body& body) {
+    RigidBodyMotion now = body.motion;
+    now.begin({});
+    return now.angular_velocity();
+  };
+  std::vector<Point> spins;
+  for (const Body& body : bodies_) spins.push_back(spin_of(body));
   for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, scene_node, false);
-  if (!joints_) return;
-  for (Body& body : bodies_) body.motion.begin(body.given);
-  keep_joints(model, false);
+  if (joints_) {
+    for (Body& body : bodies_) body.motion.begin(body.given);
+    keep_joints(model, false);
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].change_of_spin = minus(spin_of(bodies_[b]), spins[b]);
 }
 
 template RigidBodies<double>::RigidBodies(Model<double>&);

@@ -151,7 +151,18 @@ template <class S>
 InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
   const ElementStep<S> step{static_cast<S>(clock_.dt()), S(1), static_cast<S>(clock_.time())};
   const bool more_forces = boundary_.any() || contact() != nullptr || tied_.any() || rigid_.any();
-  return timers_.measure(Phase::internal_forces, [&] { return space_->update_elements(due, step, more_forces); });
+  return timers_.measure(Phase::internal_forces, [&] {
+    const auto of_rigid_bodies = [this](const auto& put) {
+      if (!rigid_.has_common_nodes()) return;
+      space_->show(NodeNumbers::motion);
+      put();
+      space_->take(NodeNumbers::motion);
+    };
+    of_rigid_bodies([this] { rigid_.put_ways(model_, clock_.dt()); });
+    const InternalForceResult<S> result = space_->update_elements(due, step, more_forces);
+    of_rigid_bodies([this] { rigid_.put_velocities(model_); });
+    return result;
+  });
 }
 
 /// After what erodes in this step is known, before contact looks at what may touch.

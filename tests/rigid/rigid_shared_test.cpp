@@ -171,5 +171,68 @@ TEST_F(RigidShared, ABlockThatIsMovedPressesOnItsBar) {
   EXPECT_NEAR((before - solver.momentum()[2]) / (impedance() * scene.time.end), 1, 0.01);
 }
 
+/// Blocks in a row along z: the first one deforms, the second one is rigid; nodes of the first above a height are of
+/// it.
+Scene turning_blocks(double above, double end) {
+  constexpr double size = 0.01;
+  Scene scene = scene_of({block("bar", {2, 2, 4}, size, {0, 0, 0}), block("block", {2, 2, 2}, size, {0, 0, 4 * size})},
+                         end, false);
+  scene.materials = {elastic_material("steel", 0.3)};
+  scene.rigid_bodies = {rigid("block")};
+  AttachedNodes attached{"block", {}};
+  attached.nodes.body = "bar";
+  attached.nodes.box = Box{{-1, -1, above * size}, {1, 1, 1}};
+  scene.attached_nodes = {attached};
+  return scene;
+}
+
+/// What turns as a rigid body is not strained, over any time.
+TEST(RigidTurning, ElementsWhoseNodesAllTurnWithARigidBodyHaveNoStress) {
+  Scene scene = turning_blocks(-1, 2e-3);
+  scene.rigid_bodies[0].velocity = {3, 0, 0};
+  scene.rigid_bodies[0].angular_velocity = {900, 400, 700};
+  Solver<double> solver(scene);
+  run(solver);
+  EXPECT_GT(solver.steps(), 300);
+  for (const std::array<double, 6>& stress : snapshot(solver).stress) {
+    for (const double s : stress) EXPECT_LT(std::abs(s), 1e-11 * 2.1e11);
+  }
+}
+
+TEST(RigidTurning, ABarThatSpinsWithARigidBodyKeepsItsEnergy) {
+  Scene scene = turning_blocks(4, 5e-3);  // about a turn
+  InitialVelocity spin;
+  spin.nodes.box = Box{{-1, -1, -1}, {1, 1, 1}};
+  spin.angular_velocity = {1000, 300, 0};
+  spin.centre = {0.01, 0.01, 0.03};
+  scene.initial_velocities = {spin};
+  Solver<double> solver(scene);
+  run(solver);
+  EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 2e-5);
+  double most = 0;  // of centrifugal forces, which come at once: twice rho w^2 l^2/2
+  for (const std::array<double, 6>& stress : snapshot(solver).stress) {
+    for (const double s : stress) most = std::max(most, std::abs(s));
+  }
+  EXPECT_LT(most, 3 * 7850 * 1.09e6 * 0.03 * 0.03);
+}
+
+/// Elements see no jump where a host has given one spin to all.
+TEST(RigidTurning, AHostTurnsARigidBodyAndWhatIsAttachedToIt) {
+  Solver<double> solver(turning_blocks(4, 1e-3));
+  for (int i = 0; i < 5; ++i) solver.step();
+  constexpr double spin = 100;
+  Array<double>& velocities = solver.change_velocities();
+  for (std::int64_t n = 0; n < solver.model().nodes.count; ++n) {
+    const double* const x = solver.model().nodes.position_of(n);
+    record(velocities.data(), n)[0] = spin * (x[2] - 0.03);
+    record(velocities.data(), n)[2] = -spin * (x[0] - 0.01);
+  }
+  solver.step();
+  EXPECT_NEAR(solver.rigid().results()[0].angular_velocity[1], spin, 1e-3 * spin);
+  for (const std::array<double, 6>& stress : snapshot(solver).stress) {
+    for (const double s : stress) EXPECT_LT(std::abs(s), 0.01 * 2.1e11 * spin * solver.dt());
+  }
+}
+
 }  // namespace
 }  // namespace pinball::rigid_shared_test
