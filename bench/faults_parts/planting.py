@@ -41,6 +41,21 @@ def overlaps(fault, others):
     return any(fault.file == o.file and fault.begin < o.begin + len(o.right) and o.begin < fault.begin + len(fault.right) for o in others)
 
 
+def add_one_of(room, piles, chosen, chance):
+    """The next of a room, of the rule that it has fewest of; where that is at the place of another, the one after it."""
+    while room in piles:
+        rule = min(piles[room], key=lambda r: (sum(f.rule == r and f.room == room for f in chosen), r))
+        pile = piles[room][rule]
+        fault = pile.pop(chance.randrange(len(pile)))
+        if not pile:
+            del piles[room][rule]
+        if not piles[room]:
+            del piles[room]
+        if not overlaps(fault, chosen):
+            chosen.append(fault)
+            return
+
+
 def by_rule(options, taken):
     """As many as are asked for, of all rooms and rules in turn, at places that no other has."""
     chance, count, rooms = random.Random(options.seed), options.count, options.rooms
@@ -54,15 +69,8 @@ def by_rule(options, taken):
     chosen = list(taken)
     while piles and len(chosen) < len(taken) + count:
         for room in [r for r in rooms if r in piles]:
-            rule = min(piles[room], key=lambda r: (sum(f.rule == r and f.room == room for f in chosen), r))
-            pile = piles[room][rule]
-            fault = pile.pop(chance.randrange(len(pile)))
-            if not pile:
-                del piles[room][rule]
-            if not piles[room]:
-                del piles[room]
-            if not overlaps(fault, chosen) and len(chosen) < len(taken) + count:
-                chosen.append(fault)
+            if len(chosen) < len(taken) + count:
+                add_one_of(room, piles, chosen, chance)
     return chosen[len(taken):]
 
 

@@ -117,16 +117,11 @@ class Planting(unittest.TestCase):
     def test_choice_without_names_has_more_of_rooms_that_are_asked_for_twice(self):
         class Options:
             count, seed, files, rooms, only, unnamed = 30, 0, 4, ["rigid", "contact", "rigid"], "", True
-        found = []
         for Options.seed in range(1, 7):
             faults = planting.choose(Options).values()
             self.assertNotIn("named", {fault.rule for fault in faults})
-            found.append([sum(fault.room == room for fault in faults) for room in ("rigid", "contact")])
-        # Of two that overlap one goes, and the next of any room comes: few do, whatever the sources are.
-        for rigid, contact in found:
-            self.assertEqual(rigid + contact, 30)
-            self.assertLessEqual(abs(rigid - 20), 1, found)
-        self.assertGreaterEqual(found.count([20, 10]), 3, found)
+            # Of two that overlap one goes, and the next of its room comes, whatever the sources are.
+            self.assertEqual([sum(fault.room == room for fault in faults) for room in ("rigid", "contact")], [20, 10])
 
     def test_what_does_not_compile_is_blamed(self):
         text = "one\ntwo\nthree\n"
