@@ -34,19 +34,8 @@ PINBALL_FUNCTION Symmetric<T> square_of(const Symmetric<T>& e) {
 /// E after a step: f (I + E) f^T - I, f = (I - h)^-1 (I + h). half: h = L dt/2, of the mid-step configuration [-].
 template <class T>
 PINBALL_FUNCTION Symmetric<T> strain_after(const Tensor<T>& half, const Symmetric<T>& e) {
-  const Vec3<T>&a = half.row_x, &b = half.row_y, &c = half.row_z;
-  const T tr = a.x + b.y + c.z;
-  const Vec3<T> b_c = cross(b, c);
-  const T det = dot(a, b_c);
-  const T minors = b_c.x + (a.x * b.y - a.y * b.x) + (c.z * a.x - c.x * a.z);
-  const T factor = T(2) / ((T(1) + minors) - (tr + det));  // 2/det(I - h)
-  const T linear = T(1) - tr;
-  const auto row = [&](const Vec3<T>& h, const Vec3<T>& unit) __attribute__((always_inline)) {
-    const Vec3<T> squared = h.x * a + h.y * b + h.z * c;
-    return factor * (linear * h + squared + det * unit);
-  };
-  const T one(1), none(0);
-  const Vec3<T> ga = row(a, {one, none, none}), gb = row(b, {none, one, none}), gc = row(c, {none, none, one});
+  const Tensor<T> g = gradient_of_step(half);
+  const Vec3<T>&ga = g.row_x, &gb = g.row_y, &gc = g.row_z;
   const Symmetric<T> whole{T(1) + e.xx, T(1) + e.yy, T(1) + e.zz, e.xy, e.yz, e.zx};
   const Vec3<T> na = whole * ga, nb = whole * gb, nc = whole * gc;  // rows of g b
   return {e.xx + (T(2) * na.x + dot(na, ga)), e.yy + (T(2) * nb.y + dot(nb, gb)), e.zz + (T(2) * nc.z + dot(nc, gc)),

@@ -21,22 +21,6 @@ struct OrthotropicConstants {
   S lambda = S(0), mu = S(0);  ///< of an isotropic material that is at least as stiff in any strain [stress]
 };
 
-/// g of neo_hookean.hpp: f - I of a step. half: h = L dt/2, of the mid-step configuration [-].
-template <class T>
-PINBALL_FUNCTION Tensor<T> gradient_of_step(const Tensor<T>& half) {
-  const Vec3<T>&a = half.row_x, &b = half.row_y, &c = half.row_z;
-  const T tr = a.x + b.y + c.z;
-  const Vec3<T> b_c = cross(b, c);
-  const T det = dot(a, b_c);
-  const T minors = b_c.x + (a.x * b.y - a.y * b.x) + (c.z * a.x - c.x * a.z);
-  const T factor = T(2) / ((T(1) + minors) - (tr + det));  // 2/det(I - h)
-  const T linear = T(1) - tr, none(0);
-  const auto row = [&](const Vec3<T>& h, const Vec3<T>& unit) __attribute__((always_inline)) {
-    return factor * (linear * h + (h.x * a + h.y * b + h.z * c) + unit);
-  };
-  return {row(a, {det, none, none}), row(b, {none, det, none}), row(c, {none, none, det})};
-}
-
 /// H after a step.
 template <class T>
 PINBALL_FUNCTION Tensor<T> displacement_gradient_after(const Tensor<T>& half, const Tensor<T>& before) {
