@@ -4,19 +4,11 @@
 
 #include <solver/scene_rules.hpp>
 #include <solver/summary.hpp>
-#include <tests/support/solver_case.hpp>
+#include <tests/support/law_materials.hpp>
 
 /// Bodies of rubber at large strains.
 namespace pinball::test::rubber_test {
 namespace {
-
-Material rubber(double a = 3e5, double b = 1e5) {
-  Material m;
-  m.name = "rubber";
-  m.density = 1100;
-  m.mooney_rivlin = MooneyRivlinSettings{a, b, 0.49};
-  return m;
-}
 
 Scene ball_at_wall(HourglassControl hourglass = HourglassControl::assumed_strain) {
   Body body = block("ball", {4, 3, 5}, 0.01, {0, 0, 0.005}, {0, 0, -15});
@@ -49,14 +41,7 @@ TEST(Rubber, KeepsTheBalanceOfEnergyAsNeoHookeanSolidsDo) {
 }
 
 TEST(Rubber, GivesTheSameBitsForAnyNumberOfThreads) {
-  const auto hash = [](int threads) {
-    DefaultExecutionSpace::set_concurrency(threads);
-    Solver<double> solver(ball_at_wall());
-    run(solver);
-    DefaultExecutionSpace::set_concurrency(1);
-    return state_hash(std::as_const(solver).model());
-  };
-  EXPECT_EQ(hash(1), hash(3));
+  EXPECT_EQ(hash_of_threads(ball_at_wall(), 1), hash_of_threads(ball_at_wall(), 3));
 }
 
 /// One element whose nodes move as F = 1 + t (...): sheared by 2 and turned at once, and pressed. Its stress is that of
@@ -86,16 +71,8 @@ TEST(Rubber, HasTheStressOfSimpleShearInAnElementThatTurns) {
 }
 
 TEST(Rubber, IsTheSameInSinglePrecision) {
-  Scene scene = ball_at_wall();
-  const auto height = [&]<class S>(S) {
-    Solver<S> solver(scene);
-    run(solver);
-    double sum = 0;
-    for (const Point& x : snapshot(solver).position) sum += x[2];
-    return sum;
-  };
-  const double exact = height(1.0);
-  EXPECT_NEAR(height(1.0F), exact, 1e-3 * std::abs(exact));
+  const double exact = height_at_end<double>(ball_at_wall());
+  EXPECT_NEAR(height_at_end<float>(ball_at_wall()), exact, 1e-3 * std::abs(exact));
 }
 
 }  // namespace

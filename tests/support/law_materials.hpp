@@ -1,9 +1,33 @@
 #pragma once
 
+#include <cstdint>
+#include <utility>
+
+#include <solver/step/report.hpp>
+
 #include "solver_case.hpp"
 
-/// Materials of laws that the kernels for linear hardening do not have.
+/// Materials of laws that the kernels for linear hardening do not have, and what is asked of bodies of them.
 namespace pinball::test {
+
+/// Sum over the nodes at the end of a run [length].
+template <class S>
+double height_at_end(const Scene& scene) {
+  Solver<S> solver(scene);
+  run(solver);
+  double sum = 0;
+  for (const Point& x : snapshot(solver).position) sum += x[2];
+  return sum;
+}
+
+/// Of the state at the end of a run by so many threads.
+inline std::uint64_t hash_of_threads(const Scene& scene, int threads) {
+  DefaultExecutionSpace::set_concurrency(threads);
+  Solver<double> solver(scene);
+  run(solver);
+  DefaultExecutionSpace::set_concurrency(1);
+  return state_hash(std::as_const(solver).model());
+}
 
 inline Material rubber() {
   Material m;
