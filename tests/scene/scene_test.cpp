@@ -336,23 +336,6 @@ TEST_F(SceneTest, AHourglassCoefficientBelongsToAForm) {
       "--set element.hourglass_coefficient=0.05: needs hourglass beside it, the form that it is a coefficient of");
 }
 
-TEST_F(SceneTest, Friction) {
-  const Scene scene = read(with({"[contact]", "method = \"pinball\"", "enforcement = \"lagrange\"", "friction = 0.3"}));
-  EXPECT_EQ(scene.contact.friction, 0.3);
-  EXPECT_EQ(scene.contact.static_friction, 0.3);
-  EXPECT_EQ(error(with({"[contact]", "enforcement = \"penalty\"", "friction = 0.3"})),
-            "17:12: contact.friction: expected 0: friction needs enforcement = \"projection\" or \"lagrange\"");
-  const auto with_friction = [this](const std::string& enforcement, const std::string& at_rest) {
-    return error(
-        with({"[contact]", "enforcement = \"" + enforcement + "\"", "friction = 0.3", "static_friction = " + at_rest}));
-  };
-  EXPECT_EQ(with_friction("lagrange", "0.5"), "no error");
-  EXPECT_EQ(with_friction("lagrange", "0.2"),
-            "18:19: contact.static_friction: expected a number >= friction = 0.3, got 0.2");
-  EXPECT_EQ(with_friction("projection", "0.5"),
-            "18:19: contact.static_friction: another value than friction needs enforcement = \"lagrange\"");
-}
-
 TEST_F(SceneTest, BlocksInSections) {
   const Scene scene = read(with(14, "mesh = { type = \"block\", size = [1, [2, 0.5], 3], elements = [2, [3, 4], 5] }"));
   const auto& mesh = std::get<BlockMesh>(scene.bodies[0].mesh);
