@@ -21,7 +21,7 @@ struct AbaqusMaterial {
   /// Options of a material stand once, but for *PLASTIC at another rate.
   void add(const AbaqusBlock& block) {
     static const std::set<std::string> once{
-        "DENSITY", "ELASTIC",   "PLASTIC",      "RATEDEPENDENT",         "SHEARFAILURE",
+        "DENSITY", "ELASTIC",   "PLASTIC",      "RATEDEPENDENT",         "SHEARFAILURE", "HYPERELASTIC",
         "DAMPING", "EXPANSION", "SPECIFICHEAT", "INELASTICHEATFRACTION", "CONDUCTIVITY"};
     const std::string rate = block.name == "PLASTIC" ? fmt::format(" at the rate {}", block.number("RATE", 0.0)) : "";
     if (!once.contains(block.name)) return;

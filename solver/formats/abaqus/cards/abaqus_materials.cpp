@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "abaqus_hyperelastic.hpp"
 #include "abaqus_material.hpp"
 #include "abaqus_parts.hpp"
 
@@ -159,6 +160,10 @@ void set_plasticity(AbaqusData& data, const WrittenMaterial& material, MaterialK
 
 /// Moduli; where plastic work warms it and it expands, the bulk modulus as part of an equation of state.
 void set_elasticity(AbaqusData& data, const WrittenMaterial& material, double density, MaterialKeys keys) {
+  if (const AbaqusBlock* rubber = material.deck.option("HYPERELASTIC")) {
+    set_hyperelasticity(data, material, *rubber, keys);
+    return;
+  }
   const AbaqusBlock& block = required(material.deck, "ELASTIC", "*ELASTIC");
   if (is_orthotropic(block)) {
     set_orthotropic_elasticity(data, material, block, keys);
@@ -287,7 +292,12 @@ std::map<std::string, double> abaqus_densities(const AbaqusDeck& deck) {
 }
 
 std::map<std::string, double> abaqus_moduli(const AbaqusDeck& deck) {
-  return first_numbers(deck, "ELASTIC", "Young's modulus");
+  std::map<std::string, double> moduli = first_numbers(deck, "ELASTIC", "Young's modulus");
+  for (const auto& [key, material] : materials_of(deck)) {
+    if (const AbaqusBlock* rubber = material.option("HYPERELASTIC"))
+      moduli[key] = abaqus_rubber(*rubber).young_modulus();
+  }
+  return moduli;
 }
 
 void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {

@@ -44,6 +44,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"DENSITY", done, "a constant"},
       {"ELASTIC", done, "isotropic constants; orthotropic ones where nothing yields",
        "TYPE=ISOTROPIC|ISO|ORTHOTROPIC|ORTHO|ENGINEERINGCONSTANTS"},
+      {"HYPERELASTIC", done, "NEO HOOKE and MOONEY-RIVLIN; without D1 Poisson's ratio is 0.475",
+       "NEOHOOKE MOONEY-RIVLIN MODULI=INSTANTANEOUS|LONGTERM"},
       {"PLASTIC", done,
        "table, also for several RATEs; KINEMATIC of two points; JOHNSON COOK, softening where the step is ADIABATIC",
        "HARDENING=ISOTROPIC|KINEMATIC|JOHNSONCOOK RATE"},

@@ -56,9 +56,13 @@ std::string rejected_data(const AbaqusBlock& block) {
              is_johnson_cook = name == "PLASTIC" && block.option("HARDENING") == "JOHNSONCOOK";
   const bool depends =
       (is_one_constant(block) && depends_on_more(block, 1, true)) ||
-      (is_isotropic && depends_on_more(block, 2, true)) || (is_johnson_cook && depends_on_more(block, 6, true)) ||
+      (is_isotropic && depends_on_more(block, 2, true)) ||
+      (name == "HYPERELASTIC" && depends_on_more(block, block.has("NEOHOOKE") ? 2 : 3, true)) ||
+      (is_johnson_cook && depends_on_more(block, 6, true)) ||
       ((name == "PLASTIC" || name == "RATEDEPENDENT") && !is_johnson_cook && depends_on_more(block, 2, false));
   if (depends) return block.star_name() + " that depends on temperature or fields";
+  if (name == "HYPERELASTIC" && !block.has("NEOHOOKE") && !block.has("MOONEY-RIVLIN"))
+    return "*HYPERELASTIC without NEO HOOKE and MOONEY-RIVLIN";
   if (name == "DLOAD" || name == "DSLOAD") return rejected_load(block);
   if (name == "DAMPING" && block.number("BETA", 0.0) != 0) return "*DAMPING, BETA";
   return "";
