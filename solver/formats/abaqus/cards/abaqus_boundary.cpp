@@ -217,6 +217,7 @@ class Boundary {
     direction[k % 3] = 1;
     const bool turns = k >= 3;
     const auto keys = scene_.entry<RigidMotion>("rigid_motion", card_of(*line.block, line.place));
+    if (rigid.is_coupling()) keys.set("rigid_body", rigid.name);
     if (!rigid.bodies.empty()) keys.set("rigid_body", rigid.bodies.front());
     keys.set(turns ? KeyOf<RigidMotion>("axis") : KeyOf<RigidMotion>("direction"), direction);
     if (line.moves) {

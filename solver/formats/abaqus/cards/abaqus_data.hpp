@@ -46,16 +46,18 @@ struct AbaqusNodes {
   std::vector<std::int32_t> members;  ///< places in the mesh
 };
 
-/// A *RIGID BODY: bodies that move as one, with their reference node.
+/// A *RIGID BODY: bodies that move as one, with their reference node; or a *COUPLING: nodes that do.
 struct AbaqusRigidBody {
   DeckCard card;
   std::vector<std::string> bodies;
-  std::int32_t node = -1;     ///< place of the reference node in the mesh
-  Point offset{};             ///< of it from the centre of mass [length]
-  unsigned held = 0;          ///< at all times: bits of x, y, z, and behind these of rotations about them
-  unsigned translations = 0;  ///< the same of directions that are held or moved at any time
-  unsigned angles = 0;        ///< the same of rotations that are given as angles
-  bool is_wall = false;       ///< of an analytical surface, without bodies
+  std::string name{}, nodes{};  ///< of a *COUPLING: its own in the scene, and that of its set in the mesh
+  std::int32_t node = -1;       ///< place of the reference node in the mesh
+  Point offset{};               ///< of it from the centre of mass [length]
+  unsigned held = 0;            ///< at all times: bits of x, y, z, and behind these of rotations about them
+  unsigned translations = 0;    ///< the same of directions that are held or moved at any time
+  unsigned angles = 0;          ///< the same of rotations that are given as angles
+  bool is_wall = false;         ///< of an analytical surface, without bodies
+  bool is_coupling() const { return !name.empty(); }
   std::optional<Point> velocity{}, angular_velocity{};  ///< of the reference node, at the start
 };
 

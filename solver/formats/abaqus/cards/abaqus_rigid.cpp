@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include <solver/mesh/quality.hpp>
@@ -15,8 +16,11 @@ namespace {
 
 constexpr double in_centre = 1e-3;  ///< of the size of a body: a reference node this near to its centre is in it
 
-/// From the centre of the masses at the nodes to a point, or nothing where that is as good as there.
-Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& elements, const Point& point) {
+/// From the centre of the masses at the nodes to a point, or nothing where that is as good as there. counts: whether a
+/// node does.
+template <class Counts>
+Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& elements, const Point& point,
+                const Counts& counts) {
   const std::map<std::string, double> densities = abaqus_densities(data.deck);
   std::vector<double> density(data.mesh.file.parts.size(), 0.0);
   for (const AbaqusBody& body : data.bodies) {
@@ -30,15 +34,17 @@ Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& element
     std::array<Point, 8> corners;
     for (std::size_t c = 0; c < 8; ++c) corners[c] = minus(mesh.nodes[mesh.hexahedra[e][c]], point);
     const double of_corner = density[data.mesh.file.part[e]] * volume_by_quadrature(corners) / 8;
-    for (const Point& corner : corners) {
+    for (std::size_t c = 0; c < 8; ++c) {
+      if (!counts(mesh.hexahedra[e][c])) continue;
       mass += of_corner;
-      for (std::size_t k = 0; k < 3; ++k) first[k] -= of_corner * corner[k];
-      size = std::max(size, norm(minus(corner, corners[0])));
+      for (std::size_t k = 0; k < 3; ++k) first[k] -= of_corner * corners[c][k];
+      size = std::max(size, norm(minus(corners[c], corners[0])));
     }
   }
   for (double& component : first) component /= mass;
   for (const std::int32_t e : elements) {
     for (const std::int32_t node : mesh.hexahedra[e]) {
+      if (!counts(node)) continue;
       const Point from_point = minus(mesh.nodes[node], point);
       size = std::max(size, norm(Point{from_point[0] + first[0], from_point[1] + first[1], from_point[2] + first[2]}));
     }
@@ -47,10 +53,11 @@ Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& element
 }
 
 /// Place of the reference node in the mesh.
-std::int32_t reference_of(const AbaqusData& data, const std::string& label, const DeckPlace& place) {
+std::int32_t reference_of(const AbaqusData& data, const std::string& label, const DeckPlace& place,
+                          const char* star_name = "*RIGID BODY") {
   const AbaqusNodes nodes = data.nodes(label, place);
   if (nodes.members.size() != 1)
-    fail_at(place, fmt::format("*RIGID BODY: expected one reference node, got {}", nodes.members.size()));
+    fail_at(place, fmt::format("{}: expected one reference node, got {}", star_name, nodes.members.size()));
   return nodes.members[0];
 }
 
@@ -72,12 +79,74 @@ AbaqusRigidBody read_rigid_body(AbaqusData& data, const AbaqusComponent& compone
   rigid.node = reference_of(data, label(block.require("REFNODE")), block.place);
   const std::vector<std::int32_t> elements = data.elements(set, block.place);
   if (block.option("POSITION") != "CENTEROFMASS")
-    rigid.offset = offset_of(data, elements, data.mesh.file.mesh.nodes[rigid.node]);
+    rigid.offset = offset_of(data, elements, data.mesh.file.mesh.nodes[rigid.node], [](std::int32_t) { return true; });
   for (const std::int32_t e : elements) {
     for (const std::int32_t node : data.mesh.file.mesh.hexahedra[e])
       data.rigid_of_node[node] = static_cast<std::int32_t>(data.rigid.size());
   }
   return rigid;
+}
+
+/// Whether *KINEMATIC couples nodes in all directions, as it does without any.
+bool couples_all(const AbaqusBlock& kinematic) {
+  DataLines lines(kinematic);
+  unsigned coupled = 0;
+  bool any = false;
+  while (const auto card = lines.next()) {
+    const DataFields f(*card);
+    const std::int64_t first = f.integer(0, "first degree of freedom"), last = f.integer(1, "last one", first);
+    for (std::int64_t degree = std::max<std::int64_t>(first, 1); degree <= std::min<std::int64_t>(last, 3); ++degree)
+      coupled |= 1U << (degree - 1);
+    any = true;
+  }
+  return !any || coupled == 7;
+}
+
+/// Nodes of a surface; their places in the mesh.
+std::vector<bool> nodes_of_surface(const AbaqusData& data, const std::string& label, const DeckPlace& place) {
+  std::vector<bool> nodes(data.used.size(), false);
+  if (const FaceSet* set = data.find_faces(label)) {
+    for (const auto& face : set->faces) {
+      for (const std::int32_t node : face) {
+        if (node >= 0) nodes[node] = true;
+      }
+    }
+  } else {
+    for (const std::int32_t node : data.nodes(label, place).members) nodes[node] = data.used[node];
+  }
+  return nodes;
+}
+
+/// *COUPLING with *KINEMATIC: the nodes of its surface move as one with their reference node. kinematic: what follows
+/// it; null: nothing.
+void read_coupling(AbaqusData& data, const AbaqusComponent& component, const AbaqusBlock& block,
+                   const AbaqusBlock* kinematic) {
+  const auto label = [&](const std::string& own) { return component.name.empty() ? own : component.name + '.' + own; };
+  if (kinematic == nullptr || kinematic->name != "KINEMATIC")
+    return data.report.reject(block.place, "*COUPLING without *KINEMATIC", "what is distributed is not there");
+  if (!couples_all(*kinematic))
+    return data.report.reject(kinematic->place, "*KINEMATIC of some directions", "give 1 to 3, or none, which is all");
+  AbaqusRigidBody rigid;
+  rigid.card = card_of(block, block.place);
+  rigid.node = reference_of(data, label(block.require("REFNODE")), block.place, "*COUPLING");
+  if (data.used[rigid.node])
+    return data.report.reject(block.place, "*COUPLING with a reference node that an element has",
+                              "give it a node of its own");
+  if (data.rigid_at(rigid.node) != nullptr)
+    return data.report.reject(block.place, "*COUPLING with the reference node of another one, or of a rigid body",
+                              "give it a node of its own, or one surface to both");
+  rigid.name = "coupling_" + AbaqusData::plain_name(label_key(block.require("CONSTRAINTNAME")));
+  const std::string surface = label(block.require("SURFACE"));
+  rigid.nodes = data.surface(surface, block.place).set;
+  const std::vector<bool> coupled = nodes_of_surface(data, surface, block.place);
+  if (std::ranges::none_of(coupled, std::identity{}))
+    fail_at(block.place, fmt::format("*COUPLING: no element has a node of the surface {}", surface));
+  rigid.offset = offset_of(data, data.elements("", block.place), data.mesh.file.mesh.nodes[rigid.node],
+                           [&](std::int32_t node) { return coupled[node]; });
+  if (data.rigid_of_node.empty()) data.rigid_of_node.assign(data.used.size(), -1);
+  data.report.understood(fmt::format("*COUPLING ({}): the nodes of {} move as one, with the masses of their elements",
+                                     block.place.text(), surface));
+  data.rigid.push_back(std::move(rigid));
 }
 
 /// Directions are those of the centre: whether the reference node goes along with it in those that are held or moved.
@@ -100,7 +169,12 @@ bool moves_as_centre(const AbaqusRigidBody& rigid) {
 
 void find_abaqus_rigid_bodies(AbaqusData& data) {
   for (const AbaqusComponent& component : data.mesh.components) {
-    for (const AbaqusBlock* block : component.blocks) {
+    for (const AbaqusBlock* const& block : component.blocks) {
+      if (block->name == "COUPLING") {
+        const AbaqusBlock* const* next = &block + 1;
+        read_coupling(data, component, *block,
+                      next == component.blocks.data() + component.blocks.size() ? nullptr : *next);
+      }
       if (block->name != "RIGIDBODY") continue;
       if (data.rigid_of_node.empty()) data.rigid_of_node.assign(data.used.size(), -1);
       data.rigid.push_back(read_rigid_body(data, component, *block));
@@ -126,7 +200,8 @@ void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene) {
       continue;
     }
     const auto keys = scene.entry<RigidBody>("rigid_body", rigid.card);
-    keys.set("bodies", rigid.bodies);
+    if (rigid.is_coupling()) keys.set("name", rigid.name);
+    if (!rigid.bodies.empty()) keys.set("bodies", rigid.bodies);
     if ((rigid.held & 7U) != 0) keys.set("held", direction_names(rigid.held));
     if (rigid.held >> 3U != 0) keys.set("held_rotations", direction_names(rigid.held >> 3U));
     if (rigid.velocity || rigid.angular_velocity) {
@@ -134,16 +209,23 @@ void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene) {
       keys.set("velocity", minus(rigid.velocity.value_or(Point{}), cross(spin, rigid.offset)));
       keys.set("angular_velocity", spin);
       data.report.understood(
-          fmt::format("*RIGID BODY ({}): the initial velocities of its reference node are those of all "
+          fmt::format("{} ({}): the initial velocities of its reference node are those of all "
                       "of it",
-                      rigid.card.place.text()));
+                      rigid.card.keyword, rigid.card.place.text()));
     }
     if (std::popcount(rigid.angles) > 1)
       data.report.reject(rigid.card.place, "*BOUNDARY of angles of a rigid body about several axes",
                          "give TYPE=VELOCITY");
     if (!moves_as_centre(rigid))
-      data.report.reject(rigid.card.place, "*RIGID BODY that is held or moved at a point that is not its centre",
+      data.report.reject(rigid.card.place,
+                         rigid.card.keyword + " that is held or moved at a point that is not its centre",
                          "hold its rotations, or give POSITION=CENTER OF MASS");
+  }
+  for (const AbaqusRigidBody& rigid : data.rigid) {
+    if (!rigid.is_coupling()) continue;
+    const auto keys = scene.entry<AttachedNodes>("rigid_nodes", rigid.card);
+    keys.set("rigid_body", rigid.name);
+    keys.set("set", rigid.nodes);
   }
 }
 

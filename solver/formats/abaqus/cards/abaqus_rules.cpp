@@ -34,6 +34,9 @@ const std::vector<AbaqusRule>& abaqus_rules() {
        "straight "
        "ANALYTICAL SURFACE that is held as a wall",
        "REFNODE ANALYTICALSURFACE ELSET POSITION=INPUT|CENTEROFMASS ISOTHERMAL"},
+      {"COUPLING", done, "nodes of a surface that move as one with a REF NODE, as a RIGID BODY does; with KINEMATIC",
+       "CONSTRAINTNAME REFNODE SURFACE"},
+      {"KINEMATIC", done, "of all directions"},
       {"SECTION CONTROLS", done,
        "of each section: HOURGLASS and its factors; ENHANCED, RELAX STIFFNESS and none at all as elements of assumed "
        "strain",
@@ -129,7 +132,6 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"DAMAGE EVOLUTION", rejected, "the same"},
       {"MPC", rejected, ""},
       {"EQUATION", rejected, ""},
-      {"COUPLING", rejected, ""},
       {"TRANSFORM", rejected, "local systems of nodes"},
       {"SYSTEM", rejected, "local systems of nodes"},
       {"NGEN", rejected, "meshes that the deck generates"},
