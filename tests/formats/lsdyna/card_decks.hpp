@@ -235,6 +235,7 @@ inline std::vector<CardDeck> decks_of_controls() {
       {"CONTROL_BULK_VISCOSITY", "", {"1.2,0.04"}},
       {"CONTROL_CONTACT", "", with_blanks({}, 7)},
       {"CONTROL_BULK_VISCOSITY", "", {""}},
+      {"CONTROL_DYNAMIC_RELAXATION", "", {""}},
       {"CONTROL_HOURGLASS", "", {"4,0.05"}},
       {"CONTROL_HOURGLASS", "", {""}},
       {"CONTROL_SOLUTION", "", {""}},
@@ -256,7 +257,7 @@ inline std::vector<CardDeck> decks_of_controls() {
   for (const KeywordCards& cards : keyword_cards()) {
     if (!cards.keyword.starts_with("CONTACT_")) continue;
     const bool tied = cards.keyword.starts_with("CONTACT_TIED");
-    const bool single = cards.keyword.ends_with("SINGLE_SURFACE") || cards.keyword.ends_with("GENERAL");
+    const bool single = cards.keyword.ends_with("SINGLE_SURFACE") || cards.keyword.find("GENERAL") != std::string::npos;
     const std::string sides = single ? "5,0,2,0" : "1,2,3,3",
                       friction = tied ? "0.,0.,0.,0.,0.,0,1E-7,5E-7" : "0.3,0.1,5.,0.,0.,0,1E-7,5E-7";
     const std::size_t more = cards.lines.size() - 3;

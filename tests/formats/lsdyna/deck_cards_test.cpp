@@ -159,10 +159,29 @@ TEST_F(DeckCards, MaterialsThatAreRefusedAreThere) {
 
 TEST_F(DeckCards, SensorsEndNoRun) {
   const std::string sensors = "*SENSOR_DEFINE_NODE_SET\n1,1,0,Y,,ACC,AVG\n*SENSOR_SWITCH\n1,,1,GT,7.0\n";
+  EXPECT_THAT(translate(cube + elastic + ends + "*TERMINATION_NODE\n5,1,2.\n*CONTROL_STRUCTURED\n").ignored,
+              testing::IsSupersetOf({HasSubstr("*TERMINATION_NODE ("), HasSubstr("*CONTROL_STRUCTURED (")}));
   EXPECT_THAT(translate(cube + elastic + ends + sensors + "*TERMINATION_SENSOR\n1\n").ignored,
               testing::IsSupersetOf({HasSubstr("*TERMINATION_SENSOR ("), HasSubstr("*SENSOR_SWITCH ("),
                                      HasSubstr("*SENSOR_DEFINE_NODE_SET (")}));
   EXPECT_THAT(error(cube + elastic + ends + sensors + "*SENSOR_CONTROL\n1\n"), HasSubstr("*SENSOR_CONTROL"));
+}
+
+/// As preprocessors write it, with its defaults.
+TEST_F(DeckCards, RelaxationThatIsOffIsNone) {
+  const std::string card = "*CONTROL_DYNAMIC_RELAXATION\n250,0.001,0.995,";
+  EXPECT_EQ(error(cube + elastic + ends + card + ",,0,0.04,0\n"), no_error);
+  EXPECT_EQ(error(cube + elastic + ends + card + ",,0,0.04,-999\n"), no_error);
+  EXPECT_THAT(error(cube + elastic + ends + card + ",,0,0.04,1\n"),
+              HasSubstr("*CONTROL_DYNAMIC_RELAXATION with IDRFLG 1 (deck.k:"));
+  EXPECT_THAT(translate(cube + elastic + ends + card + "1.,0.5\n").understood,
+              Contains(testing::AllOf(HasSubstr("DRTERM"), HasSubstr("nothing relaxes before the run"))));
+}
+
+TEST_F(DeckCards, CurvesByOtherMeansAreRefusedWhereSomethingNamesThem) {
+  const std::string curve = "*DEFINE_CURVE_FUNCTION\n7\n2.*TIME\n", load = "*LOAD_NODE_POINT\n5,3,7\n";
+  EXPECT_THAT(translate(cube + elastic + ends + curve).ignored, Contains(HasSubstr("*DEFINE_CURVE_FUNCTION (")));
+  EXPECT_THAT(error(cube + elastic + ends + curve + load), HasSubstr("no *DEFINE_CURVE has the number 7"));
 }
 
 /// A solid has another corner of its triangle twice than the card.

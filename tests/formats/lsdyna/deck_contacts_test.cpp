@@ -44,6 +44,39 @@ TEST_F(DeckContacts, OfASingleSurfaceOfAllNeedNoPairs) {
   EXPECT_TRUE(one.contact_pairs[0].second.empty());
 }
 
+/// One line more, and a second one where it begins with &.
+TEST_F(DeckContacts, MayHaveLinesOfProcessors) {
+  const std::string sides = "1,2,3,3\n0.3\n";
+  for (const std::string& lines : {std::string("0,200\n"), std::string("\n"), std::string("0,200\n&,1\n")}) {
+    for (const char* options : {"_MPP\n", "_ID_MPP\n7\n", "_MPP_ID\n7\n"}) {
+      const Scene s = scene(two_cubes + "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE" + options + lines + sides);
+      ASSERT_EQ(s.contact_pairs.size(), 1U);
+      EXPECT_THAT(s.contact_pairs[0].second.bodies, ElementsAre("part_2"));
+      EXPECT_EQ(s.contact_pairs[0].friction, 0.3);
+    }
+  }
+  const std::string named = "*PARAMETER\nI one,1\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MPP\n\n&one,2,3,3\n0.3\n";
+  EXPECT_THAT(scene(two_cubes + named).contact_pairs.at(0).first.bodies, ElementsAre("cube")) << "a parameter";
+  const auto told = translate(two_cubes + "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MPP\n1,100\n&,1,0.5\n" + sides);
+  for (const char* field : {"IGNORE", "BCKT", "CHKSEGS", "PENSF"})
+    EXPECT_THAT(told.understood,
+                testing::Contains(HasSubstr("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MPP: " + std::string(field))));
+  EXPECT_THAT(told.understood, testing::Not(testing::Contains(HasSubstr("field 1"))));
+}
+
+/// All of one surface, whatever else the keyword says.
+TEST_F(DeckContacts, OfOtherNamesAreTheSame) {
+  for (const char* name : {"AUTOMATIC_GENERAL_INTERIOR", "AIRBAG_SINGLE_SURFACE"}) {
+    const Scene s = scene(two_cubes + "*CONTACT_" + name + "\n0\n0.2\n");
+    EXPECT_TRUE(s.contact.self) << name;
+    EXPECT_EQ(s.contact.friction, 0.2) << name;
+  }
+  for (const char* name : {"NODES_TO_SURFACE_CONSTRAINED", "SURFACE_TO_SURFACE_CONSTRAINED", "SURFACE_TO_SURFACE_BEAM"})
+    EXPECT_DOUBLE_EQ(
+        scene(two_cubes + "*CONTACT_TIED_" + name + "_OFFSET\n2,1,3,3\n\n,,-0.1,-0.1\n").tied_contacts.at(0).tolerance,
+        0.12);
+}
+
 TEST_F(DeckContacts, MayBeOfSets) {
   const std::string sets =
       "*SET_PART_LIST\n4\n2\n*SET_SEGMENT\n5\n5,6,7,8\n*SET_NODE_LIST\n6\n11,12\n*SET_PART_LIST\n9\n1\n";

@@ -101,6 +101,23 @@ void read_more(const DeckData& data, const KeywordBlock& block, Cards& cards) {
   }
 }
 
+/// The lines of _MPP, of which nothing becomes anything. Returns the line behind them.
+Card read_processors(const DeckData& data, const KeywordBlock& block, Cards& cards) {
+  if (block.mpp) {
+    const Card first = cards.require("the line of _MPP");
+    data.fields(first, layout::contact_mpp);
+  }
+  Card card = cards.require("the surfaces of the contact");
+  const bool is_second =
+      block.mpp && card.text.starts_with('&') && (card.text.size() == 1 || card.text[1] == ' ' || card.text[1] == ',');
+  if (!is_second) return card;  // & before a letter is a parameter
+  {
+    const Fields second = data.fields(card, layout::contact_mpp_more);
+    second.blank(0);  // the sign that it is such a line
+  }
+  return cards.require("the surfaces of the contact");
+}
+
 DeckContact read_contact(DeckData& data, const KeywordBlock& block) {
   Cards cards(block);
   DeckContact contact;
@@ -112,13 +129,13 @@ DeckContact read_contact(DeckData& data, const KeywordBlock& block) {
     if (id > 0) contact.name = fmt::format("contact_{}", id);
     if (id > 0) data.give_once(block, fmt::format("contact {}", id), block.place);
   }
-  const Card first = cards.require("the surfaces of the contact"), second = cards.next_or_blank(),
-             third = cards.next_or_blank();
+  const Card first = read_processors(data, block, cards), second = cards.next_or_blank(), third = cards.next_or_blank();
   read_more(data, block, cards);
   const Fields f = data.fields(first, layout::contact_sides), constants = data.fields(second, layout::contact_friction),
                scales = data.fields(third, layout::contact_scales);
   contact.card = {block.star_name(), first.place};
-  contact.single = block.name.find("SINGLE_SURFACE") != std::string::npos || block.name.ends_with("GENERAL");
+  contact.single =
+      block.name.find("SINGLE_SURFACE") != std::string::npos || block.name.find("_GENERAL") != std::string::npos;
   contact.tied = block.name.starts_with("CONTACT_TIED_");
   contact.slave = side_of(data, block, f, 0);
   if (!contact.single) contact.master = side_of(data, block, f, 1);

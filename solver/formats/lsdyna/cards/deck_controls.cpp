@@ -122,6 +122,16 @@ void write_output(DeckData& data, DeckScene& scene) {
   }
 }
 
+/// IDRFLG 0: curves say whether there is a phase of relaxation, which is refused there; -999: there is none.
+void read_relaxation(DeckData& data) {
+  const auto card = last_card(data, "CONTROL_DYNAMIC_RELAXATION");
+  if (!card) return;
+  const std::int64_t flag = data.fields(*card, layout::relaxation).integer("IDRFLG");
+  if (flag != 0 && flag != -999)
+    data.report.reject(card->place, fmt::format("*CONTROL_DYNAMIC_RELAXATION with IDRFLG {}", flag),
+                       "leave it 0: the run begins at rest");
+}
+
 }  // namespace
 
 void translate_controls(DeckData& data, DeckScene& scene) {
@@ -132,6 +142,7 @@ void translate_controls(DeckData& data, DeckScene& scene) {
     if (const auto card = last_card(data, "CONTROL_CONTACT", i)) data.fields(*card, *layout::control_contact[i]);
   }
   if (const auto card = last_card(data, "CONTROL_SOLUTION")) data.fields(*card, layout::solution);
+  read_relaxation(data);
   write_time(data, scene);
   data.part_elements = deck_elements(data);
   set_element(data.part_elements.front(), scene.table<ElementSettings>("element", {}));

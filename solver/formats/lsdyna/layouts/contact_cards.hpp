@@ -18,6 +18,18 @@ inline constexpr std::string_view no_penalty = "contact has no penalty stiffness
                                   box_of_segments = "give the segments of the box as a set";
 
 inline constexpr CardLayout contact_number{whole("CID"), text("HEADING").columns(70)};
+/// Of _MPP: how processors share the search; the second line begins with &.
+inline constexpr CardLayout contact_mpp{whole("IGNORE").reported(opened),
+                                        whole("BCKT", 200).reported(all_checked),
+                                        whole("LCBCKT").reported(all_checked),
+                                        whole("NS2TRK", 3).reported(all_checked),
+                                        whole("INITITR", 2).reported(opened),
+                                        number("PARMAX", 1.0005).reported(all_checked),
+                                        gap,
+                                        whole("CPARM8").reported(of_shells_and_beams)};
+inline constexpr CardLayout contact_mpp_more{text("&"), whole("CHKSEGS").reported(all_checked),
+                                             number("PENSF", 1).reported(no_penalty),
+                                             whole("GRPABLE").reported(all_checked)};
 inline constexpr CardLayout contact_sides{whole("SSID"),
                                           whole("MSID"),
                                           whole("SSTYP"),

@@ -47,6 +47,14 @@ inline constexpr CardLayout solution{whole("SOLN").rejected("heat is not compute
                                      whole("NOCOPY").reported(of_solvers),
                                      whole("CRVP").reported(of_solvers)};
 
+/// *CONTROL_DYNAMIC_RELAXATION, which is there as often as not for its defaults.
+inline constexpr std::string_view nothing_relaxes = "nothing relaxes before the run";
+inline constexpr CardLayout relaxation{
+    number("NRCYCK", 250).reported(nothing_relaxes),   number("DRTOL", 1e-3).reported(nothing_relaxes),
+    number("DRFCTR", 0.995).reported(nothing_relaxes), number("DRTERM").reported(nothing_relaxes),
+    number("TSSFDR").reported(nothing_relaxes),        whole("IRELAL").reported(nothing_relaxes),
+    number("EDTTL", 0.04).reported(nothing_relaxes),   whole("IDRFLG")};
+
 inline constexpr CardLayout damping{whole("LCID").rejected("give VALDMP, a constant, in its place"),
                                     number("VALDMP"),
                                     number("STX"),

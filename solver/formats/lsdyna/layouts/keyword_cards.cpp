@@ -127,13 +127,29 @@ void add_boundaries(Table& table) {
 }
 
 void add_contacts(Table& table) {
-  for (const char* name :
-       {"AUTOMATIC_SINGLE_SURFACE", "AUTOMATIC_GENERAL", "AUTOMATIC_SURFACE_TO_SURFACE", "AUTOMATIC_NODES_TO_SURFACE",
-        "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", "AUTOMATIC_SINGLE_SURFACE_MORTAR",
-        "AUTOMATIC_SURFACE_TO_SURFACE_MORTAR", "ONE_WAY_SURFACE_TO_SURFACE", "SINGLE_SURFACE", "SURFACE_TO_SURFACE",
-        "NODES_TO_SURFACE", "ERODING_SINGLE_SURFACE", "ERODING_SURFACE_TO_SURFACE", "ERODING_NODES_TO_SURFACE",
-        "TIED_NODES_TO_SURFACE", "TIED_NODES_TO_SURFACE_OFFSET", "TIED_SURFACE_TO_SURFACE",
-        "TIED_SURFACE_TO_SURFACE_OFFSET"}) {
+  for (const char* name : {"AUTOMATIC_SINGLE_SURFACE",
+                           "AUTOMATIC_GENERAL",
+                           "AUTOMATIC_GENERAL_INTERIOR",
+                           "AIRBAG_SINGLE_SURFACE",
+                           "AUTOMATIC_SURFACE_TO_SURFACE",
+                           "AUTOMATIC_NODES_TO_SURFACE",
+                           "AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE",
+                           "AUTOMATIC_SINGLE_SURFACE_MORTAR",
+                           "AUTOMATIC_SURFACE_TO_SURFACE_MORTAR",
+                           "ONE_WAY_SURFACE_TO_SURFACE",
+                           "SINGLE_SURFACE",
+                           "SURFACE_TO_SURFACE",
+                           "NODES_TO_SURFACE",
+                           "ERODING_SINGLE_SURFACE",
+                           "ERODING_SURFACE_TO_SURFACE",
+                           "ERODING_NODES_TO_SURFACE",
+                           "TIED_NODES_TO_SURFACE",
+                           "TIED_NODES_TO_SURFACE_OFFSET",
+                           "TIED_NODES_TO_SURFACE_CONSTRAINED_OFFSET",
+                           "TIED_SURFACE_TO_SURFACE",
+                           "TIED_SURFACE_TO_SURFACE_OFFSET",
+                           "TIED_SURFACE_TO_SURFACE_CONSTRAINED_OFFSET",
+                           "TIED_SURFACE_TO_SURFACE_BEAM_OFFSET"}) {
     Lines lines{&layout::contact_sides, &layout::contact_friction, &layout::contact_scales};
     if (std::string_view(name).starts_with("ERODING")) lines.push_back(&layout::contact_eroding);
     lines.insert(lines.end(), layout::contact_optional.begin(), layout::contact_optional.end());
@@ -146,6 +162,7 @@ void add_controls(Table& table) {
   namespace l = layout;
   table.push_back({"CONTROL_BULK_VISCOSITY", "", {&l::bulk_viscosity}});
   table.push_back({"CONTROL_CONTACT", "", Lines(l::control_contact.begin(), l::control_contact.end())});
+  table.push_back({"CONTROL_DYNAMIC_RELAXATION", "", {&l::relaxation}});
   table.push_back({"CONTROL_HOURGLASS", "", {&l::control_hourglass}});
   table.push_back({"CONTROL_SOLUTION", "", {&l::solution}});
   table.push_back({"CONTROL_TERMINATION", "", {&l::termination}});

@@ -34,6 +34,7 @@ struct KeywordBlock {
   std::string name;       ///< upper case, without star and options: "SET_NODE_LIST"
   bool title = false;     ///< _TITLE: the first card is one
   bool id = false;        ///< _ID: the first card has number and title
+  bool mpp = false;       ///< _MPP of a contact: one or two more cards behind that of _ID
   bool wide = false;      ///< "%" behind the name: ten columns for the numbers of nodes and elements
   bool twenty = false;    ///< "+" behind the name, LONG=Y: twenty columns for each field
   std::string_view body;  ///< lines, comments among them
@@ -42,7 +43,9 @@ struct KeywordBlock {
   bool of_case = false;                            ///< whether it belongs to the chosen case, and not to all
   ReadingLog* log = nullptr;                       ///< as that of its cards
 
-  std::string star_name() const { return '*' + name + (title ? "_TITLE" : "") + (id ? "_ID" : ""); }
+  std::string star_name() const {
+    return '*' + name + (title ? "_TITLE" : "") + (id ? "_ID" : "") + (mpp ? "_MPP" : "");
+  }
 };
 
 /// What *INCLUDE_TRANSFORM adds to numbers of one kind in a block.

@@ -94,6 +94,7 @@ void KeywordScanner::read_options(KeywordBlock& block) const {
     more = false;
     if (take_ending(name, "_TITLE")) more = block.title = true;
     if (take_ending(name, "_ID")) more = block.id = true;
+    if (name.starts_with("CONTACT_") && take_ending(name, "_MPP")) more = block.mpp = true;
   }
 }
 
