@@ -168,6 +168,8 @@ inline std::vector<CardDeck> decks_of_definitions() {
            "EPS and ES",
            {plastic, "40.,5.", "0.,0.1,0.2,0.3,0.4,0.5,0.6,0.7", "400.,410.,420.,430.,440.,450.,460.,470."},
            no_elastic},
+          {"MAT_ISOTROPIC_ELASTIC_PLASTIC", "", {"1,7.85E-9,80000.,400.,1000.,170000."}, no_elastic},
+          {"MAT_SIMPLIFIED_JOHNSON_COOK", "", {"1,7.85E-9,210000.,0.3", "400.,500.,0.3,0.01,0.4,,,1."}, no_elastic},
           {"MAT_JOHNSON_COOK",
            "",
            {"1,7.85E-9,80000.", "400.,500.,0.3,0.01,1.1,1800.,300.,1.", "4.5E8,-900.,1.,0.,0.1,0.2,-1.5,0.01", "0.5"},

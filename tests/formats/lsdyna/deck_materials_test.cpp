@@ -178,6 +178,41 @@ TEST_F(DeckMaterials, OfAnIncludedFileAreConverted) {
   EXPECT_THAT(mixed.yield_curves.at(0).stress, ElementsAre(300, 400)) << "a curve is in the units of its own file";
 }
 
+/// Its ETAN is a slope over the plastic strain, and not the tangent modulus of others.
+TEST_F(DeckMaterials, ReadsIsotropicElasticPlastic) {
+  const Material m = material(cube + ends + "*MAT_012\n1,7.85E-9,80000.,400.,1000.,170000.\n");
+  EXPECT_EQ(m.shear_modulus, 80000);
+  EXPECT_EQ(m.bulk_modulus, 170000);
+  EXPECT_EQ(m.yield_stress, 400);
+  EXPECT_EQ(m.plastic_modulus, 1000);
+  EXPECT_THAT(error(cube + ends + "*MAT_ISOTROPIC_ELASTIC_PLASTIC\n1,7.85E-9,80000.,400.,1000.\n"),
+              HasSubstr("*MAT_ISOTROPIC_ELASTIC_PLASTIC: BULK"));
+}
+
+TEST_F(DeckMaterials, ReadsSimplifiedJohnsonAndCook) {
+  const auto with = [](const std::string& vp, const std::string& second) {
+    return cube + ends + "*MAT_098\n1,7.85E-9,210000.,0.3" + vp + "\n" + second + "\n";
+  };
+  const Material m = material(with(",1", "792.,510.,0.26,0.014,0.4,,,2."));
+  ASSERT_TRUE(m.johnson_cook && !m.equation_of_state);
+  const JohnsonCookSettings expected{510, 0.26, 0.014, 2, 1, 0, 0, 0, 1, {}};
+  EXPECT_EQ(*m.johnson_cook, expected);
+  EXPECT_EQ(m.yield_stress, 792);
+  EXPECT_DOUBLE_EQ(m.shear_modulus, 210000. / 2.6);
+  EXPECT_EQ(m.strain_rate, StrainRate::plastic);
+  EXPECT_EQ(m.erosion_strain, 0.4);
+  const Material plain = material(with("", "792.,510.,0.26,0.014"));
+  EXPECT_EQ(plain.johnson_cook->reference_rate, 1) << "the default of EPS0";
+  EXPECT_EQ(plain.strain_rate, StrainRate::deviatoric);
+  EXPECT_EQ(material(with("", "792.,510.,0.26")).johnson_cook->rate_coefficient, 0);
+  EXPECT_THAT(told(with(",1", "792.,,0.3")), AllOf(Contains(HasSubstr("*MAT_SIMPLIFIED_JOHNSON_COOK: N")),
+                                                   Contains(HasSubstr("*MAT_SIMPLIFIED_JOHNSON_COOK: VP"))));
+  EXPECT_THAT(error(with("", "792.,510.")), HasSubstr("*MAT_098: N: expected more than 0 beside B"));
+  EXPECT_THAT(error(with("", "792.,,,0.1,,,,-1.")), HasSubstr("*MAT_098: EPS0: expected more than 0 beside C"));
+  EXPECT_THAT(error(with("", "792.,,,,,900.")), HasSubstr("SIGMAX"));
+  EXPECT_THAT(error(with("", "792.,,,,,,900.")), HasSubstr("SIGSAT"));
+}
+
 /// Two parts of 4340 steel with an equation of state, in t, mm, s.
 std::string steel(const std::string& equation, const std::string& failure = "0.05,3.44,-2.12,0.002") {
   std::string deck = cube;

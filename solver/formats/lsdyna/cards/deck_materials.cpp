@@ -7,6 +7,7 @@
 
 #include "deck_elastic_laws.hpp"
 #include "deck_parts.hpp"
+#include "deck_plastic_laws.hpp"
 #include "keyword_rules.hpp"
 
 namespace pinball {
@@ -42,6 +43,8 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_MOONEY-RIVLIN_RUBBER") return layout::mooney_rivlin;
   if (kind == "MAT_ORTHOTROPIC_ELASTIC") return layout::orthotropic;
   if (kind == "MAT_POWER_LAW_PLASTICITY") return layout::power_law;
+  if (kind == "MAT_ISOTROPIC_ELASTIC_PLASTIC") return layout::isotropic_plastic;
+  if (kind == "MAT_SIMPLIFIED_JOHNSON_COOK") return layout::simplified_johnson_cook;
   return kind == "MAT_PLASTIC_KINEMATIC" ? layout::kinematic : layout::piecewise;
 }
 
@@ -373,8 +376,13 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
     set_orthotropic(data, f, cards, keys);
     return;
   }
+  if (kind == "MAT_ISOTROPIC_ELASTIC_PLASTIC") {
+    set_isotropic_plastic(f, keys);
+    return;
+  }
   set_elasticity(f, keys);
   if (kind == "MAT_PLASTIC_KINEMATIC") set_plastic_kinematic(data, block, f, cards, keys);
+  if (kind == "MAT_SIMPLIFIED_JOHNSON_COOK") set_simplified_johnson_cook(data, f, cards, keys);
   if (kind == "MAT_POWER_LAW_PLASTICITY") set_power_law(data, block, f, cards, keys);
   if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") set_piecewise_linear(data, block, f, cards, keys);
 }

@@ -148,6 +148,24 @@ inline constexpr CardLayout johnson_cook_more{number("D5"),
                                               number("K").reported(of_other_rates),
                                               number("D").reported(of_other_rates)};
 
+/// *MAT_098; what limits its stress is not there.
+inline constexpr std::string_view no_largest_stress = "there is no such limit: leave it blank";
+inline constexpr CardLayout simplified_johnson_cook{material_id, density, young, poisson, whole("VP").from(0, 1)};
+inline constexpr CardLayout simplified_johnson_cook_strength{material_stress("A").always(),
+                                                             material_stress("B"),
+                                                             number("N"),
+                                                             number("C"),
+                                                             number("PSFAIL", 1e17),
+                                                             number("SIGMAX", 1e28).rejected(no_largest_stress),
+                                                             number("SIGSAT", 1e28).rejected(no_largest_stress),
+                                                             number("EPS0", 1).of(Dimension::rate)};
+inline constexpr CardLayout isotropic_plastic{material_id,
+                                              density,
+                                              material_stress("G").always(),
+                                              material_stress("SIGY").always(),
+                                              material_stress("ETAN"),
+                                              material_stress("BULK").always()};
+
 inline constexpr CardLayout null{material_id,
                                  density,
                                  material_stress("PC").from(-std::numeric_limits<double>::infinity(), 0),

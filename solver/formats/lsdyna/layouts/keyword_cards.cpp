@@ -76,6 +76,9 @@ void add_definitions(Table& table) {
   table.push_back({"MAT_PIECEWISE_LINEAR_PLASTICITY",
                    "EPS and ES",
                    {&l::piecewise, &l::piecewise_rate, &l::piecewise_strains, &l::piecewise_stresses}});
+  table.push_back({"MAT_ISOTROPIC_ELASTIC_PLASTIC", "", {&l::isotropic_plastic}});
+  table.push_back(
+      {"MAT_SIMPLIFIED_JOHNSON_COOK", "", {&l::simplified_johnson_cook, &l::simplified_johnson_cook_strength}});
   table.push_back({"MAT_JOHNSON_COOK",
                    "",
                    {&l::johnson_cook, &l::johnson_cook_strength, &l::johnson_cook_failure, &l::johnson_cook_more}});

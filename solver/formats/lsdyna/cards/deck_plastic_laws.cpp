@@ -1,0 +1,46 @@
+#include "deck_plastic_laws.hpp"
+
+#include <fmt/format.h>
+
+#include <solver/formats/lsdyna/layouts/definition_cards.hpp>
+
+namespace pinball {
+
+/// ETAN is the slope over the plastic strain, and not the tangent modulus that other materials have in its place.
+void set_isotropic_plastic(const Fields& f, const DeckKeys<Material>& keys) {
+  keys.set("shear_modulus", f.number("G"), "g");
+  keys.set("bulk_modulus", f.number("BULK"), "bulk");
+  keys.set("yield_stress", f.number("SIGY"), "sigy");
+  keys.set("plastic_modulus", f.number("ETAN"), "etan");
+}
+
+/// (A + B ep^N)(1 + C ln(rate/EPS0)), cold, with the pressure of small strains; the rate is that of the strain's
+/// deviator, or with VP of the plastic strain.
+void set_simplified_johnson_cook(DeckData& data, const Fields& f, Cards& cards, const DeckKeys<Material>& keys) {
+  const Card second = cards.next_or_blank();
+  const Fields s = data.fields(second, layout::simplified_johnson_cook_strength);
+  const double coefficient = s.number("B"), rate = s.number("C"), reference = s.number("EPS0"),
+               failure = s.number("PSFAIL");
+  if (coefficient != 0 && !(s.number("N") > 0)) s.fail("N", "expected more than 0 beside B");
+  if (rate != 0 && !(reference > 0)) s.fail("EPS0", "expected more than 0 beside C");
+  if (failure < 0) s.fail("PSFAIL", fmt::format("expected a strain >= 0, got {}", failure));
+  keys.set("yield_stress", s.number("A"), "a");
+  if (rate != 0) keys.set("strain_rate", f.integer("VP") == 1 ? "plastic" : "deviatoric", "vp");
+  InnerKeys<JohnsonCookSettings> law;
+  if (coefficient != 0) {
+    law.set("hardening_coefficient", coefficient);
+    law.set("hardening_exponent", s.number("N"));
+  } else if (s.number("N") != 0) {
+    data.report.unused(s.place(), "*MAT_SIMPLIFIED_JOHNSON_COOK: N", "B is 0");
+  }
+  if (rate != 0) {
+    law.set("rate_coefficient", rate);
+    law.set("reference_rate", reference);
+  } else if (f.integer("VP") != 0) {
+    data.report.unused(f.place(), "*MAT_SIMPLIFIED_JOHNSON_COOK: VP", "C is 0");
+  }
+  keys.set("johnson_cook", law.value(), "b, n, c, eps0");
+  if (failure > 0 && failure < 1e16) keys.set("erosion_strain", failure, "psfail");
+}
+
+}  // namespace pinball

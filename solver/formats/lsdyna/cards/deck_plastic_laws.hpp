@@ -1,0 +1,12 @@
+#pragma once
+
+#include "deck_parts.hpp"
+
+namespace pinball {
+
+/// *MAT_012: f: its only line.
+void set_isotropic_plastic(const Fields& f, const DeckKeys<Material>& keys);
+/// *MAT_098: f: its first line; cards: the next.
+void set_simplified_johnson_cook(DeckData& data, const Fields& f, Cards& cards, const DeckKeys<Material>& keys);
+
+}  // namespace pinball
