@@ -179,6 +179,7 @@ inline std::vector<CardDeck> decks_of_definitions() {
           {"CONSTRAINED_RIGID_BODIES", "", {"1,2"}, rigid_parts},
           {"CONSTRAINED_EXTRA_NODES_NODE", "", {"2,7"}, attached},
           {"CONSTRAINED_EXTRA_NODES_SET", "", {"2,5"}, attached},
+          {"CONSTRAINED_NODAL_RIGID_BODY", "", {"30,0,5"}},
           {"CONSTRAINED_JOINT_SPHERICAL", "", {"5,9"}, standing},
           {"CONSTRAINED_JOINT_REVOLUTE", "", {"5,9,6,10"}, standing},
           {"CONSTRAINED_JOINT_CYLINDRICAL", "", {"5,9,6,10"}, standing},

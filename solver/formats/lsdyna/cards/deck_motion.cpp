@@ -39,8 +39,8 @@ void set_moved(DeckData& data, const KeywordBlock& block, const Fields& f, const
 
 constexpr const char* quantities[] = {"velocity", "acceleration", "displacement"};
 
-/// Of a rigid part; DOF 5 to 7 turn it about an axis through its centre, 8 and -8 about the vector VID.
-void translate_rigid_motion(DeckData& data, const KeywordBlock& block, const Fields& f, const DeckPart& part,
+/// Of a rigid body; DOF 5 to 7 turn it about an axis through its centre, 8 and -8 about the vector VID.
+void translate_rigid_motion(DeckData& data, const KeywordBlock& block, const Fields& f, const std::string& body,
                             DeckScene& scene) {
   const std::int64_t degree = f.integer("DOF"), quantity = f.integer("VAD");
   const bool turns = std::abs(degree) >= 5;
@@ -53,7 +53,7 @@ void translate_rigid_motion(DeckData& data, const KeywordBlock& block, const Fie
   const Point direction = direction_of(data, block, turns ? (degree < 0 ? degree + 4 : degree - 4) : degree, f);
   const auto begin = [&](const Point& along) {
     const auto keys = scene.entry<RigidMotion>("rigid_motion", card_of(block, f.place()));
-    keys.set("rigid_body", data.find_part(part.lead)->body, "pid");
+    keys.set("rigid_body", body, "pid");
     keys.set(turns ? KeyOf<RigidMotion>("axis") : KeyOf<RigidMotion>("direction"), along, "dof");
     set_span(span_of(f), keys);
     return keys;
@@ -74,8 +74,11 @@ void translate_rigid_motion(DeckData& data, const KeywordBlock& block, const Fie
 /// One card of the keyword.
 void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f, DeckScene& scene) {
   if (block.name.ends_with("_RIGID")) {
-    const DeckPart* part = data.find_part(f.integer("PID") + offset_of(block, &DeckTransform::part));
-    if (part != nullptr && part->is_rigid()) return translate_rigid_motion(data, block, f, *part, scene);
+    const std::int64_t id = f.integer("PID") + offset_of(block, &DeckTransform::part);
+    const DeckPart* part = data.find_part(id);
+    if (part != nullptr && part->is_rigid())
+      return translate_rigid_motion(data, block, f, data.find_part(part->lead)->body, scene);
+    if (const auto body = nodal_rigid_body(data, id)) return translate_rigid_motion(data, block, f, *body, scene);
   }
   const std::int64_t degree = f.integer("DOF"), quantity = f.integer("VAD");
   if (degree >= 5 && degree <= 7 && !block.name.ends_with("_RIGID")) {

@@ -41,6 +41,9 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
 
 /// *MAT_RIGID: a [[rigid_body]] for each rigid part that leads, with what is merged into it.
 void translate_rigid_bodies(DeckData& data, DeckScene& scene);
+void translate_nodal_rigid_bodies(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+/// The name that a *CONSTRAINED_NODAL_RIGID_BODY of this number has; none: there is none.
+std::optional<std::string> nodal_rigid_body(const DeckData& data, std::int64_t number);
 void translate_extra_nodes(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 void translate_joints(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 

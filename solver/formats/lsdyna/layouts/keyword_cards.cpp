@@ -86,6 +86,7 @@ void add_definitions(Table& table) {
   table.push_back({"CONSTRAINED_RIGID_BODIES", "", {&l::merged_parts}});
   table.push_back({"CONSTRAINED_EXTRA_NODES_NODE", "", {&l::attached_node}});
   table.push_back({"CONSTRAINED_EXTRA_NODES_SET", "", {&l::attached_set}});
+  table.push_back({"CONSTRAINED_NODAL_RIGID_BODY", "", {&l::nodal_rigid}});
   for (const char* kind : {"SPHERICAL", "LOCKING"})
     table.push_back({std::string("CONSTRAINED_JOINT_") + kind, "", {&l::joint_pair}});
   for (const char* kind : {"REVOLUTE", "CYLINDRICAL", "TRANSLATIONAL", "UNIVERSAL"})

@@ -29,6 +29,15 @@ inline constexpr CardLayout attached_node{whole("PID").always(), whole("NID").al
 inline constexpr CardLayout attached_set{whole("PID").always(), whole("NSID").always(),
                                          whole("IFLAG").reported(of_inertia)};
 
+inline constexpr std::string_view of_bodies_output = "of output", no_release = "leave it 0: all of it moves as one";
+inline constexpr CardLayout nodal_rigid{whole("PID").always(),
+                                        whole("CID").reported(of_bodies_output),
+                                        whole("NSID"),
+                                        whole("PNODE").reported(of_bodies_output),
+                                        whole("IPRT").reported(of_bodies_output),
+                                        whole("DRFLAG").rejected(no_release),
+                                        whole("RRFLAG").rejected(no_release)};
+
 inline constexpr std::string_view kept_exactly = "joints are kept without penalty and damping";
 inline constexpr CardLayout joint_number{whole("JID"), text("HEADING").columns(70)};
 inline constexpr std::string_view from_start = "what the joint keeps of directions it keeps from the start";
