@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include <solver/base/error.hpp>
-#include <solver/formats/lsdyna/scan/expression.hpp>
+#include <solver/formats/deck/expression.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
 #include <solver/formats/lsdyna/scan/keyword_deck.hpp>
 #include <tests/support/error_of.hpp>

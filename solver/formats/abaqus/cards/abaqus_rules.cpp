@@ -11,6 +11,7 @@ const std::vector<AbaqusRule>& abaqus_rules() {
   using enum Treatment;
   static const std::vector<AbaqusRule> rules{
       {"HEADING", done, "title of the scene"},
+      {"PARAMETER", done, "names between < and >, numbers or texts, by expressions of Python; DEPENDENT is refused"},
       {"PREPRINT", ignored, ""},
       {"NODE", mesh, "in Cartesian coordinates", "NSET INPUT SYSTEM=R"},
       {"ELEMENT", mesh,
@@ -139,7 +140,6 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"NCOPY", rejected, "meshes that the deck generates"},
       {"ELGEN", rejected, "meshes that the deck generates"},
       {"ELCOPY", rejected, "meshes that the deck generates"},
-      {"PARAMETER", rejected, ""},
   };
   return rules;
 }

@@ -10,6 +10,8 @@
 #include <solver/formats/deck/deck_files.hpp>
 #include <solver/mesh/file/input_file.hpp>
 
+#include "abaqus_parameters.hpp"
+
 namespace pinball {
 
 namespace {
@@ -48,8 +50,10 @@ class AbaqusReader {
   AbaqusDeck read(std::shared_ptr<const std::string> text, const std::string& path) {
     folder_ = fs::path(path).parent_path();
     add_file(std::move(text), path);
+    read_parameters();
     if (deck_.blocks.empty()) throw InputError(path + ": expected Abaqus input, there is no keyword in it");
     require_closed();
+    for (const std::string& note : parameters_.notes()) deck_.notes.push_back(note);
     return std::move(deck_);
   }
 
@@ -78,7 +82,25 @@ class AbaqusReader {
       if (deck_.blocks.empty() && !trimmed(line).empty() && !is_comment(line)) fail_foreign(line, place);
     }
     const std::size_t size = begin.size() - rest.size();
-    if (size > 0 && !deck_.blocks.empty()) deck_.blocks.back().data.push_back({begin.substr(0, size), before});
+    if (size == 0 || deck_.blocks.empty()) return;
+    std::string_view lines = begin.substr(0, size);
+    AbaqusBlock& block = deck_.blocks.back();
+    if (has_names(block) && lines.find('<') != std::string_view::npos) {
+      deck_.texts.push_back(std::make_shared<const std::string>(parameters_.replaced_lines(lines, before)));
+      lines = *deck_.texts.back();
+    }
+    block.data.push_back({lines, before});
+  }
+
+  /// Whether < and > stand around the names of parameters in its data lines.
+  static bool has_names(const AbaqusBlock& block) { return block.name != "HEADING" && block.name != "PARAMETER"; }
+
+  /// *PARAMETER is read where it ends, and left behind where it says nothing but names.
+  void read_parameters() {
+    if (deck_.blocks.empty() || deck_.blocks.back().name != "PARAMETER") return;
+    if (!deck_.blocks.back().parameters.empty()) return;  // which are refused
+    parameters_.read(deck_.blocks.back());
+    deck_.blocks.pop_back();
   }
 
   [[noreturn]] static void fail_foreign(std::string_view line, const DeckPlace& place) {
@@ -88,6 +110,7 @@ class AbaqusReader {
   }
 
   void take_keyword(std::string_view& rest, DeckPlace& place) {
+    read_parameters();
     AbaqusBlock block;
     std::string line(trimmed(take_line(rest)));
     ++place.line;
@@ -102,6 +125,7 @@ class AbaqusReader {
       ++place.line;
       if (!is_comment(more)) line += more;
     }
+    line = parameters_.replaced(line, block.place);
     read_keyword_line(block, ends_in_comma ? line.substr(0, line.rfind(',')) : line);
     if (ends_in_comma)
       deck_.notes.push_back(fmt::format("{} ({}): its line ends in a comma, and no parameter follows: it is at its end",
@@ -215,6 +239,7 @@ class AbaqusReader {
   }
 
   AbaqusDeck deck_;
+  AbaqusParameters parameters_;
   fs::path folder_;
   DeckFiles files_;
   std::vector<std::string> open_;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <solver/base/text_distance.hpp>
+#include <solver/formats/deck/expression.hpp>
 #include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
 
-#include "expression.hpp"
 #include "fields.hpp"
 #include "keyword_scanner.hpp"
 
