@@ -45,6 +45,9 @@ class DeviceRun final : public StepSpace<S> {
   void take_in(std::span<const std::int32_t> nodes) override;
   void show(NodeNumbers numbers) override { common_->show(numbers); }
   void take(NodeNumbers changed) override { common_->take(changed); }
+  void list(std::span<const std::int32_t> nodes) override { common_->list(nodes); }
+  void show_listed(NodeNumbers numbers) override { common_->show_listed(numbers); }
+  void take_listed(NodeNumbers changed) override { common_->take_listed(changed); }
   void take_masses() override;
   std::vector<std::int64_t> eroded_slots() override;
   void show_strains(const Surface& surface) override;

@@ -9,6 +9,7 @@
 #include <kernels/node_update.hpp>
 
 #include "body_sums.hpp"
+#include "common_numbers.hpp"
 #include "device_mesh.hpp"
 #include "device_resting.hpp"
 #include "element_totals.hpp"
@@ -50,12 +51,11 @@ class DeviceStep {
   // ---- Numbers that the host asks for or has changed ----
 
   /// The nodes whose numbers cross over in a step, each once.
-  virtual void set_common(const std::vector<std::int32_t>& nodes) = 0;
-  /// Records of four (NodeView) in the order of these nodes: positions, and then velocities.
-  virtual void read_common_motion(Array<S>& numbers) = 0;
-  virtual void write_common_motion(const Array<S>& numbers) = 0;
-  virtual void read_common_force(Array<S>& numbers) = 0;
-  virtual void write_common_force(const Array<S>& numbers) = 0;
+  virtual void set_common(CommonSet of, const std::vector<std::int32_t>& nodes) = 0;
+  /// Records of four (NodeView) in the order of these nodes, in one copy: positions and then velocities, and then
+  /// forces, of which there are as `which` says.
+  virtual void read_common(CommonSet of, NodeNumbers which, Array<S>& numbers) = 0;
+  virtual void write_common(CommonSet of, NodeNumbers which, const Array<S>& numbers) = 0;
   /// Of all nodes [1/mass], [mass].
   virtual void write_masses(const S* inverse_mass, const double* mass) = 0;
   /// Places of elements that have eroded since the last call or write(), ascending.

@@ -10,77 +10,81 @@
 /// Numbers of some nodes and elements, which cross between a device and the host by lists.
 namespace pinball {
 
-/// Records of four numbers: of the nodes of a list, one after the other.
+/// Records of four numbers per node that cross over: positions, velocities and forces, or some of these.
+template <class S>
+struct CommonRecords {
+  static constexpr int most = 3;
+  S* of[most];
+  int count = 0;
+
+  CommonRecords(NodeNumbers which, S* position, S* velocity, S* force) : of{} {
+    if (has(which, NodeNumbers::motion)) {
+      of[count++] = position;
+      of[count++] = velocity;
+    }
+    if (has(which, NodeNumbers::force)) of[count++] = force;
+  }
+};
+
+/// Those of the nodes of a list, one after the other: of all nodes the first kind, and so on.
 template <class S>
 struct GathersRecords {
+  std::int64_t nodes;
   const std::int32_t* node;
-  const S* from;
+  CommonRecords<S> from;
   S* to;
   PINBALL_FUNCTION void operator()(std::int64_t i) const {
-    const S* const record = from + 4 * static_cast<std::int64_t>(node[i]);
-    for (int k = 0; k < 4; ++k) to[4 * i + k] = record[k];
+    PINBALL_UNROLL
+    for (int r = 0; r < CommonRecords<S>::most; ++r) {
+      if (r >= from.count) return;
+      const S* const record = from.of[r] + 4 * static_cast<std::int64_t>(node[i]);
+      for (int k = 0; k < 4; ++k) to[4 * (r * nodes + i) + k] = record[k];
+    }
   }
 };
 
 /// The way back. No node is twice in a list.
 template <class S>
 struct ScattersRecords {
+  std::int64_t nodes;
   const std::int32_t* node;
   const S* from;
-  S* to;
+  CommonRecords<S> to;
   PINBALL_FUNCTION void operator()(std::int64_t i) const {
-    S* const record = to + 4 * static_cast<std::int64_t>(node[i]);
-    for (int k = 0; k < 4; ++k) record[k] = from[4 * i + k];
+    PINBALL_UNROLL
+    for (int r = 0; r < CommonRecords<S>::most; ++r) {
+      if (r >= to.count) return;
+      S* const record = to.of[r] + 4 * static_cast<std::int64_t>(node[i]);
+      for (int k = 0; k < 4; ++k) record[k] = from[4 * (r * nodes + i) + k];
+    }
   }
 };
 
-/// The common nodes of a step (StepSpace): lists and messages.
+/// The common nodes of a step (StepSpace), or the listed ones: lists and messages.
 template <class S, class Space>
 class SpaceRecords {
   using Memory = typename Space::memory_space;
 
  public:
-  void set(const std::vector<std::int32_t>& nodes) {
-    node_ = list_in<Space>(nodes);
-    motion_.renew(8 * nodes.size());
-    force_.renew(4 * nodes.size());
+  void set(const std::vector<std::int32_t>& nodes) { node_ = list_in<Space>(nodes); }
+  void read(const CommonRecords<S>& from, Array<S>& numbers) {
+    numbers_.renew(4 * from.count * node_.size());
+    parallel_for("numbers of common nodes", all(), GathersRecords<S>{all().end, node_.data(), from, numbers_.data()});
+    numbers.renew(numbers_.size());
+    deep_copy(numbers, numbers_);
   }
-  void read_motion(const S* position, const S* velocity, Array<S>& numbers) {
-    gather(position, motion_.data());
-    gather(velocity, motion_.data() + 4 * node_.size());
-    bring(motion_, numbers);
+  void write(const Array<S>& numbers, const CommonRecords<S>& to) {
+    numbers_.renew(numbers.size());
+    deep_copy(numbers_, numbers);
+    parallel_for("numbers of common nodes", all(), ScattersRecords<S>{all().end, node_.data(), numbers_.data(), to});
   }
-  void read_force(const S* force, Array<S>& numbers) {
-    gather(force, force_.data());
-    bring(force_, numbers);
-  }
-  void write_motion(const Array<S>& numbers, S* position, S* velocity) {
-    deep_copy(motion_, numbers);
-    scatter(motion_.data(), position);
-    scatter(motion_.data() + 4 * node_.size(), velocity);
-  }
-  void write_force(const Array<S>& numbers, S* force) {
-    deep_copy(force_, numbers);
-    scatter(force_.data(), force);
-  }
-  std::size_t bytes() const { return node_.bytes() + motion_.bytes() + force_.bytes(); }
+  std::size_t bytes() const { return node_.bytes() + numbers_.bytes(); }
 
  private:
   RangePolicy<Space> all() const { return {0, static_cast<std::int64_t>(node_.size())}; }
-  void gather(const S* from, S* to) const {
-    parallel_for("numbers of common nodes", all(), GathersRecords<S>{node_.data(), from, to});
-  }
-  void scatter(const S* from, S* to) const {
-    parallel_for("numbers of common nodes", all(), ScattersRecords<S>{node_.data(), from, to});
-  }
-  static void bring(const Array<S, Memory>& from, Array<S>& to) {
-    to.renew(from.size());
-    deep_copy(to, from);
-  }
 
   Array<std::int32_t, Memory> node_;
-  Array<S, Memory> motion_;  ///< positions, and then velocities
-  Array<S, Memory> force_;
+  Array<S, Memory> numbers_;  ///< that cross over
 };
 
 /// Whether the element of a place has lost its mass since it was looked for last.

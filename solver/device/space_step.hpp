@@ -133,15 +133,13 @@ class SpaceStep final : public DeviceStep<S> {
     return energy;
   }
 
-  void set_common(const std::vector<std::int32_t>& nodes) override { common_.set(nodes); }
-  void read_common_motion(Array<S>& numbers) override {
-    common_.read_motion(state_.position.data(), state_.velocity.data(), numbers);
+  void set_common(CommonSet of, const std::vector<std::int32_t>& nodes) override { records(of).set(nodes); }
+  void read_common(CommonSet of, NodeNumbers which, Array<S>& numbers) override {
+    records(of).read(common(which), numbers);
   }
-  void write_common_motion(const Array<S>& numbers) override {
-    common_.write_motion(numbers, state_.position.data(), state_.velocity.data());
+  void write_common(CommonSet of, NodeNumbers which, const Array<S>& numbers) override {
+    records(of).write(numbers, common(which));
   }
-  void read_common_force(Array<S>& numbers) override { common_.read_force(force_.data(), numbers); }
-  void write_common_force(const Array<S>& numbers) override { common_.write_force(numbers, force_.data()); }
   void write_masses(const S* inverse_mass, const double* mass) override {
     deep_copy(inverse_mass_, inverse_mass, inverse_mass_.size());
     deep_copy(node_mass_, mass, node_mass_.size());
@@ -160,11 +158,16 @@ class SpaceStep final : public DeviceStep<S> {
   std::size_t bytes() const override {
     return corner_.bytes() + mass_share_.bytes() + folding_onset_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() +
            first_of_node_.bytes() + corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() +
-           left_.bytes() + tile_.bytes() + resting_.bytes() + volumes_.bytes() + common_.bytes() + eroded_.bytes() +
-           (bodies_ ? bodies_->bytes() : 0);
+           left_.bytes() + tile_.bytes() + resting_.bytes() + volumes_.bytes() + common_.bytes() + listed_.bytes() +
+           eroded_.bytes() + (bodies_ ? bodies_->bytes() : 0);
   }
 
  private:
+  SpaceRecords<S, Space>& records(CommonSet of) { return of == CommonSet::all ? common_ : listed_; }
+  CommonRecords<S> common(NodeNumbers which) {
+    return {which, state_.position.data(), state_.velocity.data(), force_.data()};
+  }
+
   struct Part {
     ElementKernel<S> kernel;
     ElementConstants<S> constants;
@@ -275,7 +278,7 @@ class SpaceStep final : public DeviceStep<S> {
   Array<S, Memory> corner_force_;     ///< of KeptAtCorners [force]
   Array<std::uint8_t, Memory> left_;  ///< per pack; zero between steps
   SpaceResting<S, Space> resting_;
-  SpaceRecords<S, Space> common_;
+  SpaceRecords<S, Space> common_, listed_;
   SpaceEroded<S, Space> eroded_;
   std::optional<SpaceBodySums<S, S, device_row, Space>> bodies_;
   NodalVolumeLists<S, Memory> volumes_;

@@ -15,27 +15,17 @@
 #include <solver/elements/schedule.hpp>
 
 #include "body_sums.hpp"
+#include "common_numbers.hpp"
 
 namespace pinball {
-
-/// Numbers of nodes, as flags.
-enum class NodeNumbers : unsigned {
-  none = 0,
-  motion = 1,  ///< positions and velocities
-  force = 2,
-  all = motion | force
-};
-constexpr bool has(NodeNumbers numbers, NodeNumbers some) {
-  return (static_cast<unsigned>(numbers) & static_cast<unsigned>(some)) != 0;
-}
 
 /// Where the arrays of a run lie and its loops over all elements and nodes run: the host's threads, alone or as one of
 /// several ranks, or a device. A step asks for all of it in the same words.
 ///
 /// Contact, ties and rigid bodies work on the model, in the memory of the host, and there on some nodes alone: the
-/// common ones; but for what contact does in steps that its lists last for, where there are kernels for it. What they
-/// read of these has to be shown to them before, and what they have changed to be taken after; the host's own space has
-/// nothing to do for either.
+/// common ones, or, where lists of what may touch hold, those in the lists; but for what contact does in such steps
+/// where there are kernels for it. What they read of these has to be shown to them before, and what they have changed
+/// to be taken after; the host's own space has nothing to do for either.
 template <class S>
 class StepSpace {
  public:
@@ -64,6 +54,12 @@ class StepSpace {
   virtual void show(NodeNumbers numbers) = 0;
   /// The model has newer ones of them.
   virtual void take(NodeNumbers changed) = 0;
+  /// From now on these of the common nodes are the listed ones, whose numbers can be shown and taken without those of
+  /// the others. Each once.
+  virtual void list(std::span<const std::int32_t> nodes) = 0;
+  virtual void show_listed(NodeNumbers numbers) = 0;
+  /// They have been shown.
+  virtual void take_listed(NodeNumbers changed) = 0;
   /// Masses of nodes have been changed in the model.
   virtual void take_masses() = 0;
   /// Slots of elements that have eroded in the last update, ascending, perhaps with padding and others that are no

@@ -26,7 +26,9 @@ class ContactStage {
         contact_(make_model_contact(model)),
         pairs_(contact_ ? model.scene.contact_pairs : std::vector<ContactPair>()) {
     std::unique_ptr<PinballKernels<S>> kernels = space.pinball_kernels();
-    in_space_ = contact_ && kernels && contact_->work_with(kernels);
+    // Impulses on tied nodes are those of the corners of their faces, and rigid bodies have all common nodes shown.
+    const bool alone = model.scene.tied_contacts.empty() && model.rigid.empty();
+    in_space_ = contact_ && kernels && (alone || !acts_on_velocities()) && contact_->work_with(kernels);
   }
 
   const ContactAlgorithm<S>* contact() const { return contact_.get(); }
@@ -68,10 +70,14 @@ class ContactStage {
   std::size_t bytes() const { return contact_ ? contact_->bytes() : 0; }
 
  private:
+  /// Brings what impulses read in the model up to date there. any: of any node that they may touch.
+  void show(NodeNumbers numbers, bool any);
+
   StepSpace<S>& space_;
   std::unique_ptr<ContactAlgorithm<S>> contact_;
   PairLedger pairs_;
-  bool in_space_ = false;  ///< the loops of contact run there
+  bool in_space_ = false;     ///< the loops of contact run there
+  std::int64_t choices_ = 0;  ///< of nodes that contact reads, when the space was told of them
 };
 
 }  // namespace pinball

@@ -34,6 +34,9 @@ class HostStep final : public StepSpace<S> {
   }
   void show(NodeNumbers /*numbers*/) override {}
   void take(NodeNumbers /*changed*/) override {}
+  void list(std::span<const std::int32_t> /*nodes*/) override {}
+  void show_listed(NodeNumbers /*numbers*/) override {}
+  void take_listed(NodeNumbers /*changed*/) override {}
   void take_masses() override {}
   std::vector<std::int64_t> eroded_slots() override { return pinball::eroded_slots(model_, forces_.tiles()); }
   void show_strains(const Surface& surface) override {

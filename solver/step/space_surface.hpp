@@ -25,6 +25,9 @@ class SpaceSurface final : public SurfaceSource<S> {
     if (in_space_) space_.show(NodeNumbers::motion);
     space_.show_strains(surface_);
   }
+  void before_following() const override {
+    if (in_space_) space_.show(NodeNumbers::motion);
+  }
   void before_motion(std::span<const std::int32_t> nodes) const override { space_.take_in(nodes); }
   SurfaceNodes<S> nodes(bool loads) const override {
     if (!in_space_) return SurfaceSource<S>::nodes(loads);

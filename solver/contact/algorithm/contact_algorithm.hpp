@@ -95,10 +95,15 @@ class ContactAlgorithm {
   /// Takes eroded elements out and brings up to date what the other stages read of the surface. eroded: slots of those
   /// that eroded since the last call, ascending; padding and elements that are out already may be among them.
   virtual void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) = 0;
-  /// Before the first step: has the loops of a step run where these kernels are, and reads the motion of nodes after
-  /// SurfaceSource::before_search alone, where the algorithm and what acts with it can do that. Returns whether it
-  /// does.
+  /// Before the first step: has the loops of a step run where these kernels are, and reads the motion of nodes in the
+  /// host's memory after SurfaceSource::before_search alone, but for that of read_nodes(), where the algorithm and what
+  /// acts with it can do that. Returns whether it does.
   virtual bool work_with(std::unique_ptr<PinballKernels<S>>& /*kernels*/) { return false; }
+  /// After work_with: the nodes of which the stages of a step whose lists hold read and change numbers in the host's
+  /// memory, each once; in a step with erosion that of any node of the surface.
+  virtual std::span<const std::int32_t> read_nodes() const { return {}; }
+  /// How often these have been chosen; before the first time it is that of any node.
+  virtual std::int64_t choices_of_read_nodes() const { return 0; }
   /// Lists of what may touch, unless the lists still hold. dt: the step just made.
   virtual void search(const SurfaceSource<S>& source, double dt) = 0;
 

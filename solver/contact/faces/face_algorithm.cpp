@@ -81,7 +81,7 @@ template <class S>
 void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
   const bool reuse = source.lists_last;
   if (this->may_keep_lists(source)) {
-    const bool hold = lists_.holds(source), follow = !hold && follow_strays(source);
+    const bool hold = lists_hold(source), follow = !hold && follow_strays(source);
     if (hold || follow) {
       ++this->searches_skipped_;
       return;
@@ -98,12 +98,35 @@ void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
   }
   lists_.build(source, surface_, edges_, spheres_, this->settings_, depth_, static_cast<S>(dt), reuse);
   this->lists_outdated_ = false;
+  kernels_outdated_ = true;
   choose_listed();
   surface_.update(source);
 }
 
 template <class S>
+bool FaceAlgorithm<S>::work_with(std::unique_ptr<PinballKernels<S>>& kernels) {
+  if (spheres_.count() != 0) return false;
+  kernels_ = std::move(kernels);
+  return true;
+}
+
+template <class S>
+bool FaceAlgorithm<S>::lists_hold(const SurfaceSource<S>& source) {
+  if (!kernels_) return lists_.holds(source);
+  if (!lists_.may_hold()) return false;
+  if (kernels_outdated_) {
+    PinballArrays<S> arrays;
+    arrays.expected = lists_.expected();
+    kernels_->take(arrays);
+    kernels_outdated_ = false;
+  }
+  return !kernels_->any_strays(source.nodes(false), lists_.elapsed());
+}
+
+template <class S>
 bool FaceAlgorithm<S>::follow_strays(const SurfaceSource<S>& source) {
+  source.before_following();
+  kernels_outdated_ = true;
   if (!lists_.follow_strays(source, surface_, edges_, spheres_, depth_)) return false;
   if (lists_.more_nodes().pieces.entries + lists_.more_edges().pieces.entries > 0) {
     choose_more();
@@ -115,26 +138,50 @@ bool FaceAlgorithm<S>::follow_strays(const SurfaceSource<S>& source) {
 template <class S>
 void FaceAlgorithm<S>::choose_edge(std::int32_t edge) {
   for (const std::int32_t s : edges_.segments_of(edge)) surface_.choose(s);
-  for (const std::int32_t slave : edges_.edges()[edge].slave) set_mark(listed_slave_[slave]);
+  for (const std::int32_t slave : edges_.edges()[edge].slave) {
+    set_mark(listed_slave_[slave]);
+    read_around(slave);
+  }
+}
+
+template <class S>
+void FaceAlgorithm<S>::choose_node(std::int32_t slave) {
+  surface_.choose_around(slave);
+  set_mark(listed_slave_[slave]);
+  read_around(slave);
+}
+
+template <class S>
+void FaceAlgorithm<S>::choose_face(std::int32_t segment) {
+  surface_.choose(segment);
+  for (const std::int32_t slave : surface_.slaves_of(segment)) set_mark(listed_slave_[slave]);
+  read_corners(segment);
+}
+
+template <class S>
+void FaceAlgorithm<S>::read_corners(std::int32_t segment) {
+  if (!kernels_) return;
+  for (const std::int32_t slave : surface_.slaves_of(segment)) set_mark(read_slave_[slave]);
+}
+
+template <class S>
+void FaceAlgorithm<S>::read_around(std::int32_t slave) {
+  if (!kernels_) return;
+  for (const std::int32_t segment : surface_.around(slave)) read_corners(segment);
 }
 
 template <class S>
 void FaceAlgorithm<S>::choose_listed() {
   surface_.choose_none();
   listed_slave_.assign(surface_.slaves().size(), 0);
+  if (kernels_) read_slave_.assign(surface_.slaves().size(), 0);
   const auto for_each_new = [](const std::vector<std::int32_t>& list, const auto& work) {
     for_all_of("chosen of lists", std::ssize(list), std::ssize(list), [&](std::int64_t i) {
       if (i == 0 || list[i] != list[i - 1]) work(list[i]);
     });
   };
-  for_each_new(lists_.nodes().second, [this](std::int32_t segment) {
-    surface_.choose(segment);
-    for (const std::int32_t slave : surface_.slaves_of(segment)) set_mark(listed_slave_[slave]);
-  });
-  for_each_new(lists_.nodes().first, [this](std::int32_t slave) {
-    surface_.choose_around(slave);
-    set_mark(listed_slave_[slave]);
-  });
+  for_each_new(lists_.nodes().second, [this](std::int32_t segment) { choose_face(segment); });
+  for_each_new(lists_.nodes().first, [this](std::int32_t slave) { choose_node(slave); });
   for_each_new(lists_.edges().first, [this](std::int32_t edge) { choose_edge(edge); });
   for_each_new(lists_.edges().second, [this](std::int32_t edge) { choose_edge(edge); });
   finish_choice();
@@ -143,10 +190,8 @@ void FaceAlgorithm<S>::choose_listed() {
 template <class S>
 void FaceAlgorithm<S>::choose_more() {
   lists_.more_nodes().for_each([this](std::int32_t slave, std::int32_t segment) {
-    surface_.choose(segment);
-    for (const std::int32_t other : surface_.slaves_of(segment)) listed_slave_[other] = 1;
-    surface_.choose_around(slave);
-    listed_slave_[slave] = 1;
+    choose_face(segment);
+    choose_node(slave);
   });
   lists_.more_edges().for_each([this](std::int32_t e, std::int32_t f) {
     choose_edge(e);
@@ -165,6 +210,15 @@ void FaceAlgorithm<S>::finish_choice() {
     std::int32_t& number = listed_nodes_[i];
     number = surface_.slaves()[number].node;
   });
+  if (kernels_) list_read_nodes();
+}
+
+template <class S>
+void FaceAlgorithm<S>::list_read_nodes() {
+  list_where("nodes that are read", std::ssize(read_slave_), read_nodes_,
+             [this](std::int64_t slave) { return read_slave_[slave] != 0; });
+  for (std::int32_t& number : read_nodes_) number = surface_.slaves()[number].node;
+  ++choices_;
 }
 
 template <class S>
@@ -231,6 +285,7 @@ void FaceAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& so
   if (archive.reads()) edges_.collect(surface_);
   lists_.persist(archive, surface_, edges_, spheres_, this->settings_, source.node_count);
   if (archive.reads() && lists_.valid()) choose_listed();
+  if (archive.reads()) kernels_outdated_ = true;
   archive(searches_since_, deep_);
   archive.of_fixed_size(depth_);
   archive.require_all(deep_, 0, source.node_count);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include <solver/base/state_archive.hpp>
@@ -24,6 +26,9 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   FaceAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface start);
 
   void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) override;
+  bool work_with(std::unique_ptr<PinballKernels<S>>& kernels) override;
+  std::span<const std::int32_t> read_nodes() const override { return read_nodes_; }
+  std::int64_t choices_of_read_nodes() const override { return choices_; }
   void search(const SurfaceSource<S>& source, double dt) override;
 
   const char* name() const override { return "pinball"; }
@@ -44,6 +49,8 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   void add_pair_forces_of_springs(std::vector<Point>& /*sums*/) const override {}
   void collect_impulses(const SurfaceSource<S>& source, double dt) override;
   void note_depths();
+  /// Whether the lists have all that may touch.
+  bool lists_hold(const SurfaceSource<S>& source);
   /// Has the lists follow nodes that have strayed, if these are few; else they hold no longer.
   bool follow_strays(const SurfaceSource<S>& source);
   /// Has what is listed brought up to date in every step, and nothing else; notes the nodes of it.
@@ -51,7 +58,13 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   /// The same of what has come to the lists.
   void choose_more();
   void choose_edge(std::int32_t edge);
+  void choose_node(std::int32_t slave);
+  void choose_face(std::int32_t segment);
   void finish_choice();
+  /// Notes that the motion of the corners of a segment is read, or of those around a slave.
+  void read_corners(std::int32_t segment);
+  void read_around(std::int32_t slave);
+  void list_read_nodes();
 
   SegmentSurface<S> surface_;
   EdgeTable<S> edges_;
@@ -63,9 +76,15 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   EdgeRows<S> edge_rows_;
   SphereRows<S> sphere_rows_;
   std::vector<std::int32_t> no_springs_;
-  std::vector<std::int32_t> listed_nodes_;  ///< of the store: all whose motion decides what touches
-  std::vector<std::uint8_t> listed_slave_;  ///< per slave: among these
-  std::int32_t searches_since_ = 0;         ///< the surface changed, without a collection
+  std::vector<std::int32_t> listed_nodes_;      ///< of the store: all whose motion decides what touches
+  std::vector<std::uint8_t> listed_slave_;      ///< per slave: among these
+  std::unique_ptr<PinballKernels<S>> kernels_;  ///< that look for nodes that stray; null: the host does
+  bool kernels_outdated_ = true;                ///< others are expected elsewhere than these know
+  // Only with kernels.
+  std::vector<std::uint8_t> read_slave_;  ///< per slave: its numbers are read while the lists hold
+  std::vector<std::int32_t> read_nodes_;  ///< of the store
+  std::int64_t choices_ = 0;              ///< of them
+  std::int32_t searches_since_ = 0;       ///< the surface changed, without a collection
 };
 
 }  // namespace pinball

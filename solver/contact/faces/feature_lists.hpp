@@ -54,8 +54,13 @@ class FeatureLists {
   void count_step(S dt) { clock_.count_step(dt); }
   /// True while the lists have all that may touch.
   bool holds(const SurfaceSource<S>& source) const {
-    return valid_ && !clock_.over() && motion_.holds(source.position, clock_.elapsed());
+    return may_hold() && motion_.holds(source.position, clock_.elapsed());
   }
+  /// The same, where no node has strayed further than expected.
+  bool may_hold() const { return valid_ && !clock_.over(); }
+  /// What nodes are expected to do, and for how long they have done so [time].
+  ExpectedNodes<S> expected() const { return motion_.expected(); }
+  S elapsed() const { return clock_.elapsed(); }
   /// Takes in what segments that have just become active, or have ended, make of pairs that were left out: these are in
   /// more_nodes() and more_edges(). Returns whether the lists have become longer.
   bool follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres);

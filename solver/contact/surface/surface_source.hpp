@@ -84,6 +84,8 @@ class SurfaceSource : public NodeRecords<S> {
   /// Called before lists are built on the motion of all nodes of the surface: a host may not have looked at all until
   /// then. What it throws leaves contact as it was.
   virtual void before_search() const {}
+  /// Called before lists are followed on the motion of all nodes of the surface.
+  virtual void before_following() const {}
   /// Called before lists are built on the motion of nodes, all of those with which the surface moves: of some of them
   /// nothing was read before. nodes: some perhaps several times.
   virtual void before_motion(std::span<const std::int32_t> /*nodes*/) const {}
