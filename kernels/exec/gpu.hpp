@@ -6,76 +6,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <new>
-#include <stdexcept>
 #include <type_traits>
 
-#if defined(__HIPCC__)
-#include <hip/hip_runtime.h>
-#define PINBALL_GPU(name) hip##name
-#else
-#include <cuda_runtime.h>
-#define PINBALL_GPU(name) cuda##name
-#endif
-
-#include "error_text.hpp"
+#include "gpu_space.hpp"
 #include "sums.hpp"
 
 /// Accelerators of CUDA and of HIP, by one source: `Cuda` and `CudaSpace`, or `Hip` and `HipSpace`. All work is done in
 /// the order in which it is given, on the device that is current for the calling thread.
 namespace pinball {
-
-/// What the runtime or the device has refused, and in what.
-class GpuError : public std::runtime_error {
- public:
-  GpuError(const char* what, PINBALL_GPU(Error_t) status)
-      : std::runtime_error((ErrorText() << what << ": " << PINBALL_GPU(GetErrorString)(status)).c_str()),
-        status_(status) {}
-  /// The runtime's own sentence.
-  const char* reason() const { return PINBALL_GPU(GetErrorString)(status_); }
-
- private:
-  PINBALL_GPU(Error_t) status_;
-};
-
-inline void require_gpu(PINBALL_GPU(Error_t) status, const char* what) {
-  if (status == PINBALL_GPU(Success)) return;
-  (void)PINBALL_GPU(GetLastError)();  // it would be reported again
-  throw GpuError(what, status);
-}
-
-struct GpuSpace {
-  static constexpr std::size_t alignment = 256;
-  static std::size_t room(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
-  static void* allocate(std::size_t room) {
-    void* memory = nullptr;
-    const auto status = PINBALL_GPU(Malloc)(&memory, room);
-    if (status == PINBALL_GPU(ErrorMemoryAllocation)) {
-      (void)PINBALL_GPU(GetLastError)();
-      throw std::bad_alloc();
-    }
-    require_gpu(status, "memory of the device");
-    return memory;
-  }
-  static void release(void* memory, std::size_t /*room*/) noexcept { (void)PINBALL_GPU(Free)(memory); }
-
-  static void zero(void* to, std::size_t bytes) { require_gpu(PINBALL_GPU(Memset)(to, 0, bytes), "zero"); }
-  static void copy(void* to, const void* from, std::size_t bytes) {
-    transfer(to, from, bytes, PINBALL_GPU(MemcpyDeviceToDevice));
-    require_gpu(PINBALL_GPU(DeviceSynchronize)(), "deep_copy");
-  }
-  static void copy_from_host(void* to, const void* from, std::size_t bytes) {
-    transfer(to, from, bytes, PINBALL_GPU(MemcpyHostToDevice));
-  }
-  static void copy_to_host(void* to, const void* from, std::size_t bytes) {
-    transfer(to, from, bytes, PINBALL_GPU(MemcpyDeviceToHost));
-  }
-
- private:
-  static void transfer(void* to, const void* from, std::size_t bytes, PINBALL_GPU(MemcpyKind) kind) {
-    require_gpu(PINBALL_GPU(Memcpy)(to, from, bytes, kind), "deep_copy");
-  }
-};
 
 /// A kernel is under way when parallel_for returns. What goes wrong in it is thrown by what waits for it next: fence,
 /// deep_copy, the result of a sum.
@@ -241,7 +179,7 @@ class GpuScratch {
   static Value* result() {
     static_assert(sizeof(Value) <= result_room);
     GpuScratch& scratch = of_this_thread();
-    if (scratch.result_ == nullptr) scratch.make_result();
+    if (scratch.result_ == nullptr) scratch.result_ = GpuHostSpace::allocate(result_room);
     return static_cast<Value*>(scratch.result_);
   }
   /// Of the device: a number that is 0 between kernels.
@@ -262,18 +200,7 @@ class GpuScratch {
   ~GpuScratch() {
     GpuSpace::release(memory_, room_);
     GpuSpace::release(counter_, 0);
-#if defined(__HIPCC__)
-    (void)hipHostFree(result_);
-#else
-    (void)cudaFreeHost(result_);
-#endif
-  }
-  void make_result() {
-#if defined(__HIPCC__)
-    require_gpu(hipHostMalloc(&result_, result_room, hipHostMallocDefault), "memory for results");
-#else
-    require_gpu(cudaHostAlloc(&result_, result_room, cudaHostAllocDefault), "memory for results");
-#endif
+    GpuHostSpace::release(result_, result_room);
   }
   static GpuScratch& of_this_thread() {
     static thread_local GpuScratch scratch;
