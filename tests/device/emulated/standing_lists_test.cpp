@@ -116,6 +116,31 @@ TEST_F(StandingLists, NothingCrossesInTheReportsFirstProblem) {
                          {14, 9, 20});
 }
 
+/// Contact of faces, whose rows are the host's: in steps whose lists hold and from whose ways no node strays motion and
+/// forces of the nodes that it reads cross over, before constraints and, as these change them, after; and no others.
+TEST_F(StandingLists, NumbersOfWhatIsListedCrossWhereFacesTouch) {
+  Scene scene = test::read_input(std::string(PINBALL_SOURCE_DIR) + "/data/scenes/rod_plate.toml");
+  scene.contact.gap = ContactGap::face;
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.device = Device::cuda;
+  Solver<double> solver(scene);
+  constexpr std::int64_t steps = 150, record = 4 * sizeof(double);
+  std::int64_t held = 0, back = 0;
+  while (solver.steps() < steps) {
+    const Counts before = emulated::counts();
+    solver.step();
+    const Counts now = emulated::counts();
+    const std::int64_t read = std::ssize(solver.contact()->read_nodes());
+    if (now.to_host - before.to_host <= 2 * 3 * record * read) ++held;
+    back += now.to_host - before.to_host;
+  }
+  const std::int64_t surface = std::ssize(solver.contact()->nodes());
+  EXPECT_LT(4 * std::ssize(solver.contact()->read_nodes()), surface);
+  EXPECT_GT(solver.counts().pairs_max(), 10);
+  EXPECT_GT(held, 60) << "of " << steps;
+  EXPECT_LT(back, 0.45 * 2 * 3 * record * surface * steps) << "all of the surface, twice a step";
+}
+
 template <class S>
 void expect_same_in_any_order(Scene scene) {
   scene.device = Device::cuda;
