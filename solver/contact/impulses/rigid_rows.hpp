@@ -43,11 +43,11 @@ struct RigidEntry {
   double weight = 0;          ///< W [-]
   Vec3<double> arm{0, 0, 0};  ///< R [length]
 
-  /// m along a direction [1/mass].
+  /// m along a direction, not below zero where rounding would have it there: roots are taken of it [1/mass].
   double along(const RigidSide& side, const Vec3<double>& a) const {
     const Vec3<double> turning = cross(arm, a);
     const double apart = weight * weight * dot(a, side.translation * a) + dot(turning, side.rotation * turning);
-    if (side.mechanism < 0) return apart;
+    if (side.mechanism < 0) return std::max(0.0, apart);
     return std::max(0.0, apart + 2 * weight * dot(a, coupled(side, turning)));
   }
   /// m along any direction, from above [1/mass].
