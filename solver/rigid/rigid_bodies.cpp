@@ -45,15 +45,17 @@ template <class S>
 }  // namespace
 
 template <class S>
-void RigidBodies<S>::begin_step(double time) {
+void RigidBodies<S>::begin_step(double time, double dt) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
     choose_given(body, time);
     body.motion.begin(body.given);
     body.shared = false;
+    sides_.bodies[b] = body.motion.side();
+    const Point spin = minus(body.motion.angular_velocity(), body.change_of_spin);
+    if (by_impulses_) sides_.bodies[b].way_before = body.motion.way_beside(before_[b], -dt, spin);
     body.change_of_spin = {};
     before_[b] = body.motion.state();
-    sides_.bodies[b] = body.motion.side();
   }
   if (joints_ && by_impulses_) joints_->set_mobility(jointed(), sides_);
 }
@@ -139,6 +141,16 @@ std::vector<JointedBody> RigidBodies<S>::jointed() const {
   return all;
 }
 
+/// Of the nodes in the coming step, should nothing else act.
+template <class S>
+RowTensor RigidBodies<S>::way_ahead(const Body& body, const StepLengths& step) const {
+  Point spin = body.motion.angular_velocity();
+  for (std::size_t k = 0; k < 3; ++k) spin[k] += step.velocity() * body.motion.angular_acceleration()[k];
+  RigidBodyMotion ahead = body.motion;
+  ahead.move(body.given, step);
+  return body.motion.way_beside(ahead.state(), step.after, spin);
+}
+
 template <class S>
 void RigidBodies<S>::share_forces(Model<S>& model, double time, const StepLengths& step) {
   for (Body& body : bodies_) {
@@ -154,6 +166,7 @@ void RigidBodies<S>::share_forces(Model<S>& model, double time, const StepLength
     Wrench sum = body.acting;
     if (joints_) sum.join(joints_->wrench(b));
     body.motion.load(sum, body.given, step.velocity());
+    if (by_impulses_ && !body.shared) sides_.bodies[b].way_after = way_ahead(body, step);
     body.shared = true;
     put_forces(model, body);
   }

@@ -52,7 +52,8 @@ class RigidBodies {
   void put_ways(Model<S>& model, double dt) const;
   /// And then again those at t_n.
   void put_velocities(Model<S>& model) const;
-  void begin_step(double time);
+  /// dt: the step just made.
+  void begin_step(double time, double dt);
   /// Forces of all on the nodes become those of the common motion; once more where contact has added some since.
   void share_forces(Model<S>& model, double time, const StepLengths& step);
   /// After the integration: puts the nodes where their bodies go.
@@ -107,6 +108,7 @@ class RigidBodies {
   void choose_given(Body& body, double time) const;
   void keep_joints(Model<S>& model, bool of_start);
   std::vector<JointedBody> jointed() const;
+  RowTensor way_ahead(const Body& body, const StepLengths& step) const;
   void set_speeds(Body& body, double time, const StepLengths& step) const;
   void sum_forces(const Model<S>& model, Body& body) const;
   void put_forces(Model<S>& model, const Body& body) const;
@@ -117,7 +119,7 @@ class RigidBodies {
   std::unique_ptr<Joints> joints_;  ///< null: there are none
   std::vector<RigidState> before_;  ///< per body, at the time of the forces
   RigidSides sides_;
-  bool by_impulses_ = false;  ///< contact asks for mobilities
+  bool by_impulses_ = false;  ///< contact asks for mobilities, and for the ways of nodes
   double of_run_ = 0;         ///< longest step by the length of the run, or infinite [time]
   double done_ = 0;           ///< work of all steps before the last [energy]
   ExternalWork last_;

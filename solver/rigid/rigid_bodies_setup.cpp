@@ -82,15 +82,15 @@ RigidBodies<S>::RigidBodies(Model<S>& model) : motions_(model.scene.rigid_motion
   sides_.bodies.resize(bodies_.size());
   before_.resize(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, scene_node, true);
-  begin_step(0);
-  if (model.scene.joints.empty()) return;
   const ContactSettings& contact = model.scene.contact;
   by_impulses_ = contact.method != ContactMethod::none && contact.enforcement == Enforcement::lagrange;
+  begin_step(0, 0);
+  if (model.scene.joints.empty()) return;
   std::vector<const RigidBodyMotion*> motions;
   for (const Body& body : bodies_) motions.push_back(&body.motion);
   joints_ = std::make_unique<Joints>(model.scene.joints, model.scene.rigid_bodies, motions);
   keep_joints(model, true);
-  begin_step(0);
+  begin_step(0, 0);
 }
 
 template <class S>

@@ -63,6 +63,19 @@ std::array<Point, 3> RigidBodyMotion::turned(const std::array<Point, 3>& tensor)
   return rows_of(r * eigen(tensor) * r.transpose());
 }
 
+/// With the quaternion (s, v) between both orientations their rotation is 1 + 2 s [v] + 2 [v]^2, [v] r = v x r. Written
+/// so, nothing of a small angle is lost beside the one.
+RowTensor RigidBodyMotion::way_beside(const RigidState& other, double dt, const Point& w) const {
+  RowTensor rows{};
+  if (dt == 0) return rows;
+  Quaternion turn = Quaternion::Identity();
+  if (other.orientation != state_.orientation) turn = eigen(other.orientation) * eigen(state_.orientation).conjugate();
+  const Matrix v = skew(turn.vec());
+  const Matrix beside = 2 / dt * (turn.w() * v + v * v) - skew(eigen(w));
+  for (int i = 0; i < 3; ++i) rows[i] = {beside(i, 0), beside(i, 1), beside(i, 2)};
+  return rows;
+}
+
 void RigidBodyMotion::begin(const GivenMotion& given) {
   now_ = turned(inertia_);
   const Matrix inverse = eigen(now_).inverse();

@@ -73,6 +73,9 @@ class RigidBodyMotion {
   /// Moves the body. Returns the work of the reactions.
   ExternalWork move(const GivenMotion& given, const StepLengths& step);
 
+  /// What the mean velocity of a point on its way from here to `other` within dt is more than w x r, per arm r of here;
+  /// dt < 0: on its way from there. w: angular velocity.
+  RowTensor way_beside(const RigidState& other, double dt, const Point& w) const;
   /// Place in space of what was at an arm from the centre at the start, as rows of a rotation.
   std::array<Point, 3> rotation() const;
   /// The inertia at the present orientation of a tensor at the start [mass length^2]

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "eigen_points.hpp"
+
 namespace pinball {
 
 namespace {
@@ -12,12 +14,6 @@ using Vector = Eigen::Vector3d;
 using Quaternion = Eigen::Quaterniond;
 
 constexpr int most_iterations = 50;
-
-Matrix skew(const Vector& w) {
-  Matrix m;
-  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-  return m;
-}
 
 Quaternion rotation_by(const Vector& angle) {
   const double size = angle.norm(), half = 0.5 * size;

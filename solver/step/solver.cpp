@@ -184,7 +184,7 @@ ContactWork Solver<S>::update_ties() {
 
 template <class S>
 ContactWork Solver<S>::contact_before_constraints() {
-  rigid_.begin_step(clock_.time());
+  rigid_.begin_step(clock_.time(), clock_.dt());
   return contact_.before_constraints(model_, clock_.time(), clock_.dt(), timers_, counts_);
 }
 

@@ -70,6 +70,18 @@ Point middle(const Solver<double>& solver, std::int32_t body) {
   return sum;
 }
 
+TEST(TurningContact, WhatSticksToATurningPlateStaysWhereItIs) {
+  Solver<double> solver(turntable(0.2));  // four radians
+  const double momentum = angular_momentum(solver)[2], at_start = middle(solver, 1)[2];
+  run(solver);
+  const Point at = middle(solver, 1), beside = angular_momentum(solver);
+  EXPECT_GT(solver.steps(), 1000);
+  EXPECT_NEAR(std::hypot(at[0], at[1]), radius, 1e-4 * radius);
+  EXPECT_NEAR(at[2], at_start, 0.02 * at_start);
+  EXPECT_NEAR(beside[2], momentum, 1e-9 * momentum);
+  EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-6);
+}
+
 /// A mobility that rounding puts below zero, where a body is held about axes that are not those of space, let contact
 /// do nothing at all.
 TEST(TurningContact, ActsHoweverTheAxesLie) {

@@ -168,8 +168,13 @@ ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t k, const Vec3<double>&
   const double p = dot(a, b);
   const Vec3<double> q = b - p * a;
   const double most = friction.coefficient * p;
+  Vec3<double> slid = after;
+  if (rigid_) {
+    const Vec3<double> way = way_of(rows_[i]);
+    slid = slid + way - dot(a, way) * a;
+  }
   pair.memory.slides = std::sqrt(dot(q, q)) >= (1 - of_bound) * most &&
-                       std::sqrt(dot(after, after)) > sliding * most * friction.inverse_mass;
+                       std::sqrt(dot(slid, slid)) > sliding * most * friction.inverse_mass;
   const double impulse[3] = {q.x, q.y, q.z}, rate[3] = {after.x, after.y, after.z};
   ExternalWork lost;
   for (int c = 0; c < 3; ++c) {

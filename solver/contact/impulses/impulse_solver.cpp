@@ -18,8 +18,6 @@ constexpr double push_out = 0.1;
 
 /// Faster than anything closes, and still a number.
 constexpr double more_than_any_rate = 1e100;
-/// Way of a step, over the size of a pair, up to which a pair that is new counts as being at rest.
-constexpr double at_rest = 1e-6;
 /// What is left where the bound of their number ends iterations, over what impulses were to change: more than this is
 /// worth a warning.
 constexpr double sound = 1e-2;
@@ -78,31 +76,9 @@ void ImpulseSolver<S>::finish_rows(const SurfaceSource<S>& source, double dt) {
     const S* const v = source.v(node_[i]);
     for (int c = 0; c < 3; ++c) record(velocity_.data(), i)[c] = v[c];
   });
+  if (rigid_) find_ways(source, &RigidSide::way_before);
+  if (has_friction()) slid_.resize(rows_.size());
   for_all("depths of rows", rows_.size(), [&](std::int64_t i) { limit_depth(source, i, dt); });
-}
-
-/// The depth of a pair grows by approach alone. Erosion exposes a face deep inside another body, a distorted element
-/// turns another face to its partner: such depths are not pushed out.
-template <class S>
-void ImpulseSolver<S>::limit_depth(const SurfaceSource<S>& /*source*/, std::size_t i, double dt) {
-  const RowView row = rows_[i];
-  Pair& pair = pairs_[i];
-  const Vec3<double> a{row.direction[0], row.direction[1], row.direction[2]};
-  Vec3<double> v{0, 0, 0};
-  for (int k = 0; k < row.nodes; ++k) v = v + row.weight[k] * vector_of(record(velocity_.data(), row.node[k]));
-  pair.rate_before = dot(a, v);
-  if (has_friction()) {
-    const Vec3<double> s = v - pair.rate_before * a;
-    pair.sliding_before[0] = s.x;
-    pair.sliding_before[1] = s.y;
-    pair.sliding_before[2] = s.z;
-    if (!(pair.memory.force > 0 || pair.memory.depth > 0)) {  // without a past: as it moves now
-      pair.memory.slides = std::sqrt(dot(s, s)) * dt > at_rest * pair.size;
-    }
-  }
-  pair.seen = pair.depth;
-  if (pair.depth > 0) pair.depth = std::min(pair.depth, pair.memory.depth + std::max(0.0, pair.rate_before) * dt);
-  pair.memory.depth = std::max(0.0, pair.depth);
 }
 
 /// Part of the closing velocity of a row that the more mobile of its sides takes: 1/2 between equal ones.
@@ -274,9 +250,7 @@ double ImpulseSolver<S>::friction_of(std::size_t i) const {
   const PairOf of = contact_pairs_ != nullptr ? pair_of_row_[i] : PairOf{};
   const PairRule& rule = of.pair < 0 ? friction_ : contact_pairs_->rule(of.pair);
   if (!(rule.friction_decay > 0)) return pairs_[i].memory.slides ? rule.friction : rule.static_friction;
-  const double* v = pairs_[i].sliding_before;
-  const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  return rule.friction + (rule.static_friction - rule.friction) * std::exp(-rule.friction_decay * speed);
+  return rule.friction + (rule.static_friction - rule.friction) * std::exp(-rule.friction_decay * slid_[i]);
 }
 
 /// What a row is to change.
@@ -335,6 +309,10 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
     result.deepest = node_[rows_[i].node[0]];
   }
   load_nodes(source, velocity_step);
+  if (rigid_) {
+    find_ways(source, &RigidSide::way_after);
+    move_on_ways(1);
+  }
   add_bounds(bounds, step.after);
   set_budget();
   set_rates(velocity_step, step.after);
@@ -344,6 +322,7 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
   } else {
     iterations_.project(system_, velocity_.data());
   }
+  if (rigid_) move_on_ways(-1);
   release(velocity_step);
   give_forces(source, step);
   sum_up(result);
@@ -386,9 +365,9 @@ template <class S>
 std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return rows_.bytes() + system_.bytes() + iterations_.bytes() + velocity_.bytes() + row_vector_.bytes() +
-         of(frictions_) + of(pairs_) + of(active_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) +
-         of(release_share_) + arm_.bytes() + of(rigid_release_share_) + names_.bytes() + of(node_place_) +
-         held_.bytes();
+         of(frictions_) + of(slid_) + of(pairs_) + of(active_) + of(nodes_) + of(node_) + of(last_entry_) +
+         of(memory_) + of(release_share_) + arm_.bytes() + way_.bytes() + of(rigid_release_share_) + names_.bytes() +
+         of(node_place_) + held_.bytes();
 }
 
 template class ImpulseSolver<double>;

@@ -148,6 +148,9 @@ class ImpulseSolver {
   void add_bounds(std::span<const NodeBound> bounds, double dt);
   void drop_bounds();
   bool is_bound(std::size_t i) const { return i >= contacts_; }
+  void find_ways(const SurfaceSource<S>& source, RowTensor RigidSide::*way);
+  Vec3<double> way_of(const RowView& row) const;
+  void move_on_ways(double sign);
   void limit_depth(const SurfaceSource<S>& source, std::size_t i, double dt);
   void load_nodes(const SurfaceSource<S>& source, double velocity_step);
   void set_rates(double velocity_step, double dt);
@@ -192,7 +195,9 @@ class ImpulseSolver {
 
   const TiedNodes<S>* ties_ = nullptr;
   RigidPlaces rigid_;
-  Array<double> arm_;                        ///< records, per entry of node_, where there are rigid bodies [length]
+  // Where there are rigid bodies, per entry of node_, as records:
+  Array<double> arm_;  ///< [length]
+  Array<double> way_;  ///< what velocities on the way of a step are more than those that nodes have [length/time]
   std::vector<double> rigid_release_share_;  ///< as release_share_, per rigid body
   bool lagrange_ = false;
   PairRule friction_;                  ///< of rows without a pair
@@ -202,6 +207,7 @@ class ImpulseSolver {
   ContactRows rows_;                    ///< of places in node_
   std::vector<FrictionRow> frictions_;  ///< one per row, only where there is friction
   std::vector<Pair> pairs_;             ///< one per row
+  std::vector<double> slid_;            ///< how fast in the step just made, one per row with friction [length/time]
   std::size_t contacts_ = 0;            ///< rows before those of bounds
   std::vector<std::int32_t> active_;    ///< rows that take part
   RowSystem system_;                    ///< of the active rows

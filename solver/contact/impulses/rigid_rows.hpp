@@ -30,9 +30,7 @@ struct RigidPlaces {
   Vec3<double> arm_of(std::int32_t place) const { return vector_of(record(arm, place)); }
 };
 
-inline Vec3<double> coupled(const RigidSide& side, const Vec3<double>& moment) {
-  return {dot(side.coupling[0], moment), dot(side.coupling[1], moment), dot(side.coupling[2], moment)};
-}
+inline Vec3<double> coupled(const RigidSide& side, const Vec3<double>& moment) { return side.coupling * moment; }
 inline Vec3<double> coupled_back(const RigidSide& side, const Vec3<double>& p) {
   return p.x * side.coupling[0] + p.y * side.coupling[1] + p.z * side.coupling[2];
 }

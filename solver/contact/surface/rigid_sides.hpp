@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -7,10 +8,21 @@
 
 namespace pinball {
 
+/// A tensor by its rows.
+using RowTensor = std::array<Vec3<double>, 3>;
+
+inline Vec3<double> operator*(const RowTensor& rows, const Vec3<double>& v) {
+  return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
+}
+
 /// How a rigid body answers an impulse at the present place. Impulse P and moment D about its centre change the
 /// velocity of the centre by `translation` P, and the angular velocity by `rotation` D; directions that are held or
 /// moved as prescribed have no mobility. Where it is jointed these are with all that its joints move and hold, and the
 /// changes are more by `coupling` D and its transpose times P.
+///
+/// A node at the arm r has the velocity v + w x r at the present time. On the way of a step it turns, and its mean
+/// velocity, by which gaps close and nodes slide, is another one: v + w x r + way r. To first order in the step that is
+/// dt/2 w x (w x r), towards the axis in the coming step and from it in the step just made.
 struct RigidSide {
   Vec3<double> centre{};            ///< [length]
   Symmetric<double> translation{};  ///< 1/M where it is free [1/mass]
@@ -19,7 +31,9 @@ struct RigidSide {
   double most_rotation = 0;         ///< the same [1/(mass length^2)]
   std::int32_t mechanism = -1;      ///< number of what it is jointed with; -1: it has no joints
   std::int32_t in_mechanism = 0;    ///< number among its bodies
-  Vec3<double> coupling[3]{};       ///< rows [1/(mass length)]
+  RowTensor coupling{};             ///< [1/(mass length)]
+  RowTensor way_before{};           ///< of the step just made [1/time]
+  RowTensor way_after{};            ///< of the coming one, without contact [1/time]
 
   bool is_mobile() const { return most_translation > 0 || most_rotation > 0; }
 };
