@@ -161,6 +161,28 @@ TEST(RigidContact, SlidesAsFrictionHasIt) {
   EXPECT_NEAR(after.centre[2], 0.05, 1e-6);
 }
 
+/// A block whose nodes ring as it slides: what they get back where they part rubs as well.
+TEST(RigidContact, RubsByAllThatPresses) {
+  const double friction = 0.3, gravity = 10, end = 0.1;
+  Scene scene = by_impulses(
+      {block("floor", {12, 4, 1}, 0.2, {-0.7, -0.41, -0.2}), block("block", {2, 2, 2}, 0.05, {0, 0, 0}, {2, 0, 0})},
+      end);
+  scene.element.hourglass = HourglassControl::assumed_strain;
+  scene.materials[0].bulk_modulus *= 0.01;  // steps ten times as long
+  scene.materials[0].shear_modulus *= 0.01;
+  scene.contact.friction = scene.contact.static_friction = friction;
+  scene.rigid_bodies = {rigid("floor")};
+  scene.rigid_bodies[0].held = scene.rigid_bodies[0].held_rotations = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  scene.gravities = {{.acceleration = {0, 0, -gravity}, .bodies = {"block"}}};
+  Solver<double> solver(scene);
+  const double mass = 7850 * 0.001;
+  run(solver);
+  const Point after = solver.momentum();
+  const double pressed = mass * gravity * end + after[2], rubbed = 2 * mass - after[0];
+  EXPECT_NEAR(rubbed / (friction * pressed), 1, 5e-4);
+  EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-3);
+}
+
 /// A rigid block on a bar of the same section: the bar's end gets the block's velocity, and the stress is that of a
 /// wave, rho c v; the block slows down by exp(-rho c A t/M).
 TEST(RigidContact, OnABarSlowsDownAsThePressureOfTheWaveHasIt) {

@@ -134,6 +134,27 @@ void ImpulseSolver<S>::release(double velocity_step) {
     iterations_.set_impulse(k, released);
     pairs_[system_.original(k)].memory.force = -1;  // so that it does not count as a contact at the next step
   });
+  if (has_friction()) rub_by_releases();
+}
+
+/// What is released is an impulse like others, and rubs: all rows see the same sliding, and stop no more of it than
+/// together they can.
+template <class S>
+void ImpulseSolver<S>::rub_by_releases() {
+  row_vector_.reset(4 * active_.size());
+  for_all("friction of what is released", active_.size(), [&](std::int64_t k) {
+    const std::int32_t i = system_.original(k);
+    const RowSystem::Row& row = system_.row(k);
+    if (!(pairs_[i].memory.force < 0) || !(row.coefficient > 0)) return;
+    Vec3<double> slides = system_.approach(k, velocity_.data());
+    if (rigid_) slides = slides + way_of(rows_[i]);
+    slides = slides - dot(row.direction, slides) * row.direction;
+    const Vec3<double> b = iterations_.impulse(k);
+    const Vec3<double> with = allowed_impulse(b + (1 / row.sum_across) * slides, row.direction, {row.coefficient, 0});
+    put_vector(record(row_vector_.data(), k), with - b);
+    iterations_.set_impulse(k, with);
+  });
+  move_by_releases();
 }
 
 /// What a row takes out. Returns its force on body 1, with that of friction.
@@ -256,6 +277,7 @@ void ImpulseSolver<S>::name_memory() {
 
 #define PINBALL_INSTANTIATE(S)                                                              \
   template void ImpulseSolver<S>::release(double);                                          \
+  template void ImpulseSolver<S>::rub_by_releases();                                        \
   template bool ImpulseSolver<S>::has_free_node(const RowView&) const;                      \
   template void ImpulseSolver<S>::give_forces(const SurfaceSource<S>&, const StepLengths&); \
   template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                   \

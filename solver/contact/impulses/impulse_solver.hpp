@@ -171,6 +171,7 @@ class ImpulseSolver {
   void move_by_releases();
   double released_by(std::int64_t k, double velocity_step) const;
   void release(double velocity_step);
+  void rub_by_releases();
   Vec3<double> finish_row(std::int64_t k, const StepLengths& step);
   ExternalWork keep_friction(std::int64_t k, const Vec3<double>& after, const StepLengths& step);
   void give_forces(const SurfaceSource<S>& source, const StepLengths& step);
