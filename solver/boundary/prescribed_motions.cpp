@@ -58,12 +58,17 @@ double factor_change(const TimeTable& table, double time, const StepLengths& ste
 
 template <class S>
 PrescribedMotions::PrescribedMotions(const Model<S>& model) : given_(model.scene.prescribed_velocities) {
-  const auto take = [this](double change) { jump_at_start_ = std::max(jump_at_start_, std::abs(change)); };
-  for (const NodeConstraint<S>& held : model.constraints) take(along(model, held.node, held.normal));
+  // The directions of a node are at right angles.
+  const bool any = !model.constraints.empty() || !model.prescribed.empty();
+  std::vector<double> squares(any ? model.nodes.count : 0, 0.0);
+  const auto take = [&squares](std::int32_t node, double change) { squares[node] += change * change; };
+  for (const NodeConstraint<S>& held : model.constraints) take(held.node, along(model, held.node, held.normal));
   for (const NodePrescription<S>& moved : model.prescribed) {
     const PrescribedVelocity& given = given_[moved.table];
-    if (!accelerates(given)) take(moved.speed * starting_factor(given) - along(model, moved.node, moved.normal));
+    if (accelerates(given)) continue;
+    take(moved.node, moved.speed * starting_factor(given) - along(model, moved.node, moved.normal));
   }
+  for (const double square : squares) jump_at_start_ = std::max(jump_at_start_, std::sqrt(square));
 }
 
 std::vector<double> PrescribedMotions::factors(double time, const StepLengths& step) const {

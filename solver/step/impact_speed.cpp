@@ -8,34 +8,38 @@ namespace pinball {
 
 namespace {
 
-/// Bounds of the velocities of a body's nodes.
+/// A ball that holds the velocities of a body's nodes, about their mean: turned with the scene it is the same ball, as
+/// no box is.
 struct Velocities {
-  Point low, high;
+  Point first{}, beside{};  ///< of the first node, and the sum of what the others have beside it
+  double count = 0;
+  double radius = 0;
+
   void take(const Point& v) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], v[k]);
-      high[k] = std::max(high[k], v[k]);
-    }
+    if (count == 0) first = v;
+    for (std::size_t k = 0; k < 3; ++k) beside[k] += v[k] - first[k];
+    ++count;
+  }
+  /// Exactly that of the nodes where all have the same.
+  Point mean() const {
+    Point mean = first;
+    for (std::size_t k = 0; k < 3; ++k) mean[k] += beside[k] / std::max(count, 1.0);
+    return mean;
   }
 };
 
-/// Per component.
-Point largest_relative_velocity(const Velocities& a, const Velocities& b) {
-  Point most;
-  for (std::size_t k = 0; k < 3; ++k) most[k] = std::max({0.0, a.high[k] - b.low[k], b.high[k] - a.low[k]});
-  return most;
-}
-
 /// Of all pairs. Of many bodies nearly all pairs are known by their squares to be slower.
 double largest_relative_speed(const std::vector<Velocities>& of_body) {
-  double speed = 0, square = 0;
+  std::vector<Point> mean;
+  for (const Velocities& own : of_body) mean.push_back(own.mean());
+  double speed = 0;
   for (std::size_t a = 0; a < of_body.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      const Point v = largest_relative_velocity(of_body[a], of_body[b]);
-      const double own = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-      if (own < (1 - 1e-12) * square) continue;
-      square = std::max(square, own);
-      speed = std::max(speed, std::hypot(v[0], v[1], v[2]));
+      if (of_body[a].count == 0 || of_body[b].count == 0) continue;  // other bodies have all their nodes
+      const Point v = minus(mean[a], mean[b]);
+      const double spread = of_body[a].radius + of_body[b].radius, least = (1 - 1e-12) * speed - spread;
+      if (least > 0 && dot(v, v) < least * least) continue;
+      speed = std::max(speed, std::hypot(v[0], v[1], v[2]) + spread);
     }
   }
   return speed;
@@ -47,12 +51,15 @@ template <class S>
 double longest_contact_step(const Model<S>& model) {
   const double infinite = std::numeric_limits<double>::infinity();
   const ModelMesh& mesh = model.mesh;
-  std::vector<Velocities> of_body(mesh.body_names.size(),
-                                  {{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}});
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const S* v = record(model.nodes.velocity.data(), model.node_of_scene_node[n]);
-    of_body[mesh.body_of_node[n]].take({v[0], v[1], v[2]});
-  }
+  std::vector<Velocities> of_body(mesh.body_names.size());
+  const auto for_nodes = [&](const auto& visit) {
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+      const S* const v = record(model.nodes.velocity.data(), model.node_of_scene_node[n]);
+      visit(of_body[mesh.body_of_node[n]], Point{v[0], v[1], v[2]});
+    }
+  };
+  for_nodes([](Velocities& own, const Point& v) { own.take(v); });
+  for_nodes([](Velocities& own, const Point& v) { own.radius = std::max(own.radius, norm(minus(v, own.mean()))); });
   const double speed = largest_relative_speed(of_body);
   double volume = infinite;
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) volume = std::min(volume, element_volume(mesh, e));

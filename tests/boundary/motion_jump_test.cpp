@@ -41,6 +41,17 @@ TEST(MotionJump, AtTheStartIsTheDifferenceToWhatNodesHave) {
   EXPECT_DOUBLE_EQ(motions_of(scene).jump_at_start(), 50);
 }
 
+/// Of all its directions together, however the axes lie.
+TEST(MotionJump, AtTheStartIsThatOfTheWholeVelocity) {
+  Scene scene = driven(200, {});
+  scene.prescribed_velocities[0].direction.reset();
+  scene.prescribed_velocities[0].velocity = {120, 90, -200};
+  EXPECT_DOUBLE_EQ(motions_of(scene).jump_at_start(), 250);
+  scene.prescribed_velocities[0].velocity = {0, 0, 0};
+  scene.bodies[0].velocity = {30, 0, 40};
+  EXPECT_DOUBLE_EQ(motions_of(scene).jump_at_start(), 50);
+}
+
 TEST(MotionJump, IsThatBetweenTwoTimes) {
   const PrescribedMotions ramp = motions_of(driven(200, TimeTable{{0, 1e-4}, {0, 1}}));
   EXPECT_EQ(ramp.jump_at_start(), 0);

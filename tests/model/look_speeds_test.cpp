@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <solver/model/model.hpp>
@@ -43,6 +44,21 @@ TEST(LookAtSpeeds, OfTwoBodiesAreThoseOfTheirImpact) {
   scene.bodies[1].velocity = {};
   EXPECT_DOUBLE_EQ(look(scene).closing_speed, 6);
   EXPECT_DOUBLE_EQ(look(scene).impact_speed, 6);
+}
+
+/// A block that lies askew above a wall: its box reaches further than its nodes.
+TEST(LookAtSpeeds, AtAWallAreOfWhatReachesItsNodes) {
+  Scene scene = scene_of({block("a", {3, 3, 3}, 1, {0, 0, 4}, {-6, 0, -8})}, 0.3);
+  scene.bodies[0].axis = Point{0.6, 0, 0.8};
+  const ModelMesh mesh = build_mesh(scene);
+  double lowest = 1e9;
+  for (const Point& x : mesh.nodes) lowest = std::min(lowest, 0.6 * x[0] + 0.8 * x[2]);
+  for (const double beyond : {-0.01, 0.01}) {  // of the way of 10 x 0.3
+    const double at = lowest - 3 - beyond;
+    scene.rigid_walls.clear();
+    scene.rigid_walls.emplace_back().plane = {{0.6 * at, 0, 0.8 * at}, {0.6, 0, 0.8}};
+    EXPECT_DOUBLE_EQ(look(scene).closing_speed, beyond < 0 ? 10 : 0);
+  }
 }
 
 }  // namespace

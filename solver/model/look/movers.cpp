@@ -167,13 +167,27 @@ double lowest(const Extent& box, const Point& normal) {
   return sum;
 }
 
+/// Signed distances of the movers' nodes along a normal, the lowest of each: boxes of bodies that lie askew reach
+/// further.
+std::vector<double> lowest_nodes(const ModelMesh& mesh, const std::vector<std::int32_t>& group, std::size_t movers,
+                                 const Point& normal) {
+  std::vector<double> lowest(movers, INFINITY);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    double& own = lowest[group[mesh.body_of_node[n]]];
+    own = std::min(own, dot(normal, mesh.nodes[n]));
+  }
+  return lowest;
+}
+
 /// Whether a wall is met, by which the mover may fly anywhere. With a wall that moves, or is pushed, whatever is in its
-/// way is moved.
-void meet_walls(const Scene& scene, const std::vector<double>& times, Mover& mover) {
-  for (const RigidWall& wall : scene.rigid_walls) {
+/// way is moved. lowest: of the mover at the start, per wall.
+void meet_walls(const Scene& scene, const std::vector<double>& times, const std::vector<double>& lowest_at_start,
+                Mover& mover) {
+  for (std::size_t w = 0; w < scene.rigid_walls.size(); ++w) {
+    const RigidWall& wall = scene.rigid_walls[w];
     const double place = dot(wall.plane.normal, wall.plane.point), margin = 1e-6 * mover.box.size();
     for (std::size_t j = 0; j < times.size() && !mover.meets_wall; ++j) {
-      const double gap = lowest(mover.box + mover.strayed[j], wall.plane.normal) - place;
+      const double gap = lowest_at_start[w] + lowest(mover.strayed[j], wall.plane.normal) - place;
       mover.meets_wall = gap - wall_displacement(wall, times[j]) <= margin;
     }
     if (mover.meets_wall) mover.speed = std::max(mover.speed, std::abs(wall.speed));
@@ -253,12 +267,21 @@ Movers find_movers(const Scene& scene, const ModelMesh& mesh) {
   cut_into_cells(mesh, groups.group, movers.all);
   const std::vector<InitialMotion> initial = initial_motions(scene, mesh, groups.group, count);
   const std::vector<DrivenMotion> driven = driven_motions(scene, mesh, groups.group, count, movers.times);
+  std::vector<std::vector<double>> of_walls;  // per wall, of each mover
+  for (const RigidWall& wall : scene.rigid_walls)
+    of_walls.push_back(lowest_nodes(mesh, groups.group, count, wall.plane.normal));
   for (std::size_t g = 0; g < count; ++g) {
     Mover& mover = movers.all[g];
     const double turned = std::max(initial[g].turning * scene.time.end, driven[g].turned);
-    if (turned > turns && !driven[g].held) make_round(mover, initial[g]);
+    const bool is_round = turned > turns && !driven[g].held;
+    std::vector<double> lowest_at_start;
+    for (std::size_t w = 0; w < of_walls.size(); ++w) {
+      const double turning = dot(scene.rigid_walls[w].plane.normal, initial[g].centre) - initial[g].radius;
+      lowest_at_start.push_back(is_round ? turning : of_walls[w][g]);
+    }
+    if (is_round) make_round(mover, initial[g]);
     move(mover, initial[g], driven[g], movers.times);
-    meet_walls(scene, movers.times, mover);
+    meet_walls(scene, movers.times, lowest_at_start, mover);
     const bool moves = mover.speed > 0 || mover.moved.back().reach() > 0 || mover.strayed.back().reach() > 0;
     movers.anything_moves = movers.anything_moves || (moves && !mover.held);
   }
