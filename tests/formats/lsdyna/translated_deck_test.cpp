@@ -324,6 +324,14 @@ TEST_F(Deck, NodesOfNoSolidAreTold) {
 TEST_F(Deck, WhatIsMissingIsNamedWithItsPlace) {
   EXPECT_THAT(error(cube + elastic), HasSubstr("expected *CONTROL_TERMINATION"));
   EXPECT_EQ(error(cube + ends), "deck.k:15: no *MAT_... has the number 1");
+  const std::string two = "*MAT_ELASTIC\n7,7.85E-9,210000.,0.3\n1,2.7E-9,70000.,0.3\n";
+  EXPECT_EQ(error(cube + two + ends),
+            "deck.k:15: no *MAT_... has the number 1; deck.k:20 begins with it, a line of *MAT_ELASTIC, and such a "
+            "keyword has one: give each its own");
+  EXPECT_THAT(error(cube + "*MAT_ELASTIC_TITLE\nfirst\n7,7.85E-9,210000.,0.3\nsecond\n1,2.7E-9,70000.,0.3\n" + ends),
+              HasSubstr("deck.k:22 begins with it, a line of *MAT_ELASTIC_TITLE"));
+  EXPECT_THAT(error(cube + "*MAT_ELASTIC\n7,7.85E-9,210000.,0.3\n3,2.7E-9,70000.,0.3\n" + ends),
+              Not(HasSubstr("begins with it")));
   std::string no_section = cube;
   no_section.resize(no_section.find("*SECTION"));
   EXPECT_THAT(error(no_section + elastic + ends), HasSubstr("no *SECTION_SOLID has the number 1"));

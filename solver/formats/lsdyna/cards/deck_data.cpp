@@ -15,6 +15,7 @@
 #include <solver/mesh/element_types.hpp>
 
 #include "keyword_rules.hpp"
+#include "unread.hpp"
 
 namespace pinball {
 
@@ -374,7 +375,8 @@ std::array<Point, 3> DeckData::axes(std::int64_t system, const DeckPlace& place)
   if (system == 0) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const auto found = systems_.find(definitions_.name("local system", system));
   if (found == systems_.end())
-    fail_at(place, fmt::format("no *DEFINE_COORDINATE_SYSTEM or _VECTOR has the number {}", system));
+    fail_at(place, fmt::format("no *DEFINE_COORDINATE_SYSTEM or _VECTOR has the number {}{}", system,
+                               second_of_keyword(deck, "DEFINE_COORDINATE_", system, &DeckTransform::define)));
   return found->second;
 }
 

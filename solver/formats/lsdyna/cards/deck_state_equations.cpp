@@ -6,6 +6,7 @@
 
 #include "deck_data.hpp"
 #include "keyword_rules.hpp"
+#include "unread.hpp"
 
 /// What parts and others name by number: equations of state, *EOS_..., and what of all that nothing names.
 namespace pinball {
@@ -155,7 +156,8 @@ std::optional<DeckStateEquation> DeckData::state_equation_of(std::int64_t materi
   const auto found = state_equation_blocks_.find(first->state_equation);
   if (found != state_equation_blocks_.end()) return read_state_equation(*found->second);
   report.reject(first->place,
-                fmt::format("*PART with EOSID {}, which no *EOS_... has that is read", first->state_equation),
+                fmt::format("*PART with EOSID {}, which no *EOS_... has that is read{}", first->state_equation,
+                            second_of_keyword(deck, "EOS_", first->state_equation, &DeckTransform::material)),
                 "give an *EOS_GRUNEISEN, *EOS_LINEAR_POLYNOMIAL or *EOS_TABULATED", first->solids);
   return std::nullopt;
 }

@@ -70,7 +70,8 @@ std::set<std::int64_t> translate_materials(DeckData& data, DeckScene& scene) {
 void require_materials(const DeckData& data, const std::set<std::int64_t>& numbers) {
   for (const DeckPart& part : data.parts) {
     if (!numbers.contains(part.material))
-      fail_at(part.place, fmt::format("no *MAT_... has the number {}", part.material));
+      fail_at(part.place, fmt::format("no *MAT_... has the number {}{}", part.material,
+                                      second_of_keyword(data.deck, "MAT_", part.material, &DeckTransform::material)));
   }
 }
 

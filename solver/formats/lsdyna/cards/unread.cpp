@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <solver/base/error.hpp>
+#include <solver/formats/deck/card_field.hpp>
 #include <solver/formats/deck/unread_fields.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
 
@@ -24,6 +26,32 @@ void require_numbers(const Card& card, const Parameters& parameters, const Readi
 }
 
 }  // namespace
+
+std::string second_of_keyword(const KeywordDeck& deck, std::string_view kind, std::int64_t number,
+                              std::int64_t DeckTransform::*offset) {
+  static constexpr CardLayout first_field{layout::whole("ID").always()};
+  const auto begins_with_it = [&](const Card& card) {
+    try {
+      const std::int64_t id = Fields(card, deck.parameters, first_field).integer("ID");
+      return id + offset_of(*card.block, offset) == number;
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+  for (const KeywordBlock& block : deck.blocks) {
+    if (!block.name.starts_with(kind)) continue;
+    KeywordBlock silent = block;
+    silent.log = nullptr;
+    Cards cards(silent);
+    if (block.title) cards.next();
+    for (bool is_first = true; const auto card = cards.next_filled(); is_first = false) {
+      if (is_first || !begins_with_it(*card)) continue;
+      return fmt::format("; {} begins with it, a line of {}, and such a keyword has one: give each its own",
+                         card->place.text(), block.star_name());
+    }
+  }
+  return "";
+}
 
 void follow_reading(KeywordDeck& deck, ReadingLog& log) {
   for (KeywordBlock& block : deck.blocks) {
