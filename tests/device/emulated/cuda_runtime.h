@@ -95,6 +95,12 @@ inline cudaError_t cudaGetDevice(int* device) {
   *device = 0;
   return cudaSuccess;
 }
+/// All are the same one.
+inline cudaError_t cudaGetDeviceCount(int* count) {
+  *count = 3;
+  return cudaSuccess;
+}
+inline cudaError_t cudaSetDevice(int /*device*/) { return cudaSuccess; }
 inline cudaError_t cudaGetDeviceProperties(cudaDeviceProp* properties, int /*device*/) {
   std::strcpy(properties->name, "GPU emulated on the processor");
   properties->totalGlobalMem = std::size_t(1) << 38;
@@ -125,6 +131,7 @@ cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t* how, void (*kernel)(Par
   };
   static_assert(sizeof(Call) <= 4096, "more than a kernel takes");
   using namespace pinball::emulated;
+  const Turn turn;  // of this thread, until its launch is there with its parameters
   const auto* const call = new (parameters_of_launch(sizeof(Call)))
       Call{kernel, {checked_parameter<Parameter>(arguments)...}};
   launch(how->gridDim.x, how->blockDim.x, &Call::run, call);

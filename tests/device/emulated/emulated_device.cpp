@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <random>
@@ -180,7 +181,7 @@ struct Device {
   char* parameters = static_cast<char*>(map_pages(parameter_room));
   std::size_t parameters_used = 0;
   Pieces memory, pinned;
-  Counts counts;
+  std::recursive_mutex turn;
 
   static Device& instance() {
     static Device& device = *new Device;  // arrays with static lifetime may be gone last
@@ -212,6 +213,11 @@ void run(const Launch& launch) {
   }
 }
 
+Counts& counts_here() {
+  static thread_local Counts counts;
+  return counts;
+}
+
 void run_all() {
   Device& device = Device::instance();
   std::vector<Launch> launches;
@@ -223,6 +229,7 @@ void run_all() {
 }  // namespace
 
 void set_order(Order order, std::uint32_t seed) {
+  const Turn turn;
   run_all();
   Threads::instance().set_order(order, seed);
 }
@@ -247,19 +254,24 @@ void check_parameter(const void* parameter, std::size_t bytes) {
 void launch(unsigned blocks, unsigned threads, Kernel kernel, const void* parameters) {
   if (blocks == 0 || threads == 0) stop("a launch of no threads");
   Device::instance().launches.push_back({blocks, threads, kernel, parameters});
-  ++Device::instance().counts.launches;
+  ++counts_here().launches;
 }
 
 void barrier() { Threads::wait_for_others(); }
 
 void wait() {
+  const Turn turn;
   run_all();
-  ++Device::instance().counts.waits;
+  ++counts_here().waits;
 }
 
-Counts counts() { return Device::instance().counts; }
+Counts counts() { return counts_here(); }
+
+Turn::Turn() { Device::instance().turn.lock(); }
+Turn::~Turn() { Device::instance().turn.unlock(); }
 
 void* allocate(std::size_t bytes) {
+  const Turn turn;
   const std::size_t room = whole_pages(bytes);
   void* const memory = MockSpace::allocate(room);
   const MockMemory::OpenHere while_it_is_filled;
@@ -270,17 +282,19 @@ void* allocate(std::size_t bytes) {
 
 void release(void* memory) {
   if (memory == nullptr) return;
+  const Turn turn;
   run_all();
   MockSpace::release(memory, Device::instance().memory.take(memory));
 }
 
 void copy(void* to, const void* from, std::size_t bytes, Copy kind) {
+  const Turn turn;
   run_all();
   Device& device = Device::instance();
   if (bytes == 0) return;
-  ++device.counts.waits;
-  if (kind == Copy::host_to_device) device.counts.to_device += static_cast<std::int64_t>(bytes);
-  if (kind == Copy::device_to_host) device.counts.to_host += static_cast<std::int64_t>(bytes);
+  ++counts_here().waits;
+  if (kind == Copy::host_to_device) counts_here().to_device += static_cast<std::int64_t>(bytes);
+  if (kind == Copy::device_to_host) counts_here().to_host += static_cast<std::int64_t>(bytes);
   if (device.memory.have(to, bytes) != (kind != Copy::device_to_host) ||
       device.memory.have(from, bytes) != (kind != Copy::host_to_device)) {
     stop("a copy of the wrong kind, or beyond the end of memory");
@@ -290,6 +304,7 @@ void copy(void* to, const void* from, std::size_t bytes, Copy kind) {
 }
 
 void set(void* to, int byte, std::size_t bytes) {
+  const Turn turn;
   run_all();
   if (bytes == 0) return;
   if (!Device::instance().memory.have(to, bytes)) stop("memory is set that the device has not given out");
@@ -298,6 +313,7 @@ void set(void* to, int byte, std::size_t bytes) {
 }
 
 void* allocate_pinned(std::size_t bytes) {
+  const Turn turn;
   void* const memory = map_pages(bytes);
   std::memset(memory, 0xff, whole_pages(bytes));
   Device::instance().pinned.add(memory, whole_pages(bytes));
@@ -306,6 +322,7 @@ void* allocate_pinned(std::size_t bytes) {
 
 void release_pinned(void* memory) {
   if (memory == nullptr) return;
+  const Turn turn;
   run_all();
   munmap(memory, Device::instance().pinned.take(memory));
 }

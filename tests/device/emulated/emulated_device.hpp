@@ -14,7 +14,7 @@
 ///   - A kernel that is given an address of the host's, a copy of the wrong kind or beyond an end, a barrier that some
 ///     threads of a block do not reach, and memory that is released twice end the process with a word.
 ///
-/// It knows nothing of warps, streams, caches, registers and speed. One thread of the host may use it.
+/// It knows nothing of warps, streams, caches, registers and speed. Threads of the host use it one after the other.
 namespace pinball::emulated {
 
 /// The turns of blocks, and between two barriers of the threads of a block.
@@ -35,7 +35,16 @@ extern Coordinates coordinates;
 
 using Kernel = void (*)(const void* parameters);
 
-/// What the host has asked of it since the program began.
+/// While one lives, other threads of the host wait for the device. One thread may have several.
+class Turn {
+ public:
+  Turn();
+  ~Turn();
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+};
+
+/// What the calling thread has asked of it since it began.
 struct Counts {
   std::int64_t launches = 0;
   std::int64_t waits = 0;      ///< for kernels, and copies
