@@ -201,11 +201,12 @@ enum class RunStatus {
 /// How a run was shared by the processes of one mpirun.
 struct ParallelRun {
   int ranks = 1;
-  std::int64_t records = 0;         ///< forces of element corners that all ranks together send in a step
-  std::int64_t messages = 0;        ///< in which they do, each of one rank to one other
-  std::int64_t common_nodes = 0;    ///< that all ranks move, those of contact, ties and rigid bodies
-  std::int64_t bytes_per_step = 0;  ///< that they send in the last step, with what sums take
-  double imbalance = 1;             ///< elements of the rank that has most of them, over their mean
+  std::int64_t records = 0;          ///< forces of element corners that all ranks together send in a step
+  std::int64_t messages = 0;         ///< in which they do, each of one rank to one other
+  std::int64_t common_nodes = 0;     ///< that all ranks move, those of contact, ties and rigid bodies
+  std::int64_t bytes_per_step = 0;   ///< that they send in the last step, with what sums take
+  double imbalance = 1;              ///< elements of the rank that has most of them, over their mean
+  std::vector<std::string> devices;  ///< that work the elements of each rank; empty: the processors do
 };
 
 /// Everything that summary.json holds.

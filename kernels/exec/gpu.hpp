@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "gpu_space.hpp"
+#include "pieces.hpp"
 #include "sums.hpp"
 
 /// Accelerators of CUDA and of HIP, by one source: `Cuda` and `CudaSpace`, or `Hip` and `HipSpace`. All work is done in
@@ -27,6 +28,14 @@ struct Gpu {
 #else
   using Properties = cudaDeviceProp;
 #endif
+  /// Devices of this machine. Throws GpuError where there is none.
+  static int count() {
+    int count = 0;
+    require_gpu(PINBALL_GPU(GetDeviceCount)(&count), "devices");
+    return count;
+  }
+  /// Makes a device that of the calling thread.
+  static void choose(int device) { require_gpu(PINBALL_GPU(SetDevice)(device), "device"); }
   /// Of the device that is current. Throws GpuError where there is none.
   static Properties properties() {
     int device = 0;
@@ -108,11 +117,10 @@ __device__ void join_lanes(Value& own) {
   }
 }
 
-/// By one block. Thread 0 has the sum. A functor that can do better than to take one index after another says so:
-/// sum_lane(first, end, sum) takes first, first + sum_lanes, ... in their order.
+/// Of a piece, by one block. Thread 0 has the sum. A functor that can do better than to take one index after another
+/// says so: sum_lane(first, end, sum) takes first, first + sum_lanes, ... in their order.
 template <class Value, class Functor>
-__device__ void sum_piece_of_range(std::int64_t begin, std::int64_t count, const Functor& functor, Value& own) {
-  const SumPiece piece = sum_piece(count, blockIdx.x, gridDim.x);
+__device__ void sum_piece_of_range(std::int64_t begin, SumPiece piece, const Functor& functor, Value& own) {
   if constexpr (requires { functor.sum_lane(begin, begin, own); }) {
     functor.sum_lane(begin + piece.begin + threadIdx.x, begin + piece.end, own);
   } else {
@@ -125,7 +133,7 @@ template <class Value, class Functor>
 __global__ void __launch_bounds__(Gpu::block, least_blocks<Functor>())
     sum_pieces_of_range(std::int64_t begin, std::int64_t count, Functor functor, Value* partial) {
   Value own{};
-  sum_piece_of_range(begin, count, functor, own);
+  sum_piece_of_range(begin, sum_piece(count, blockIdx.x, gridDim.x), functor, own);
   if (threadIdx.x == 0) partial[blockIdx.x] = own;
 }
 
@@ -145,15 +153,18 @@ __device__ Value written_by_another(const Value* value) {
   return copy.value;
 }
 
-/// The block that ends last joins the sums of all pieces in their order, whichever it is. ended: 0 before and after.
+/// Of the pieces of a range those from `first` on. The block that ends last joins the sums of all in their order,
+/// whichever it is. ended: 0 before and after; null: nobody joins them.
 template <class Value, class Functor>
 __global__ void __launch_bounds__(Gpu::block, least_blocks<Functor>())
-    sum_range(std::int64_t begin, std::int64_t count, Functor functor, Value* partial, unsigned* ended, Value* result) {
+    sum_range(std::int64_t begin, std::int64_t count, std::int64_t pieces, std::int64_t first, Functor functor,
+              Value* partial, unsigned* ended, Value* result) {
   __shared__ bool last;
   Value own{};
-  sum_piece_of_range(begin, count, functor, own);
+  sum_piece_of_range(begin, sum_piece(count, first + blockIdx.x, pieces), functor, own);
+  if (threadIdx.x == 0) partial[blockIdx.x] = own;
+  if (ended == nullptr) return;
   if (threadIdx.x == 0) {
-    partial[blockIdx.x] = own;
     __threadfence();
     last = atomicInc(ended, gridDim.x - 1) == gridDim.x - 1;
   }
@@ -176,11 +187,10 @@ class GpuScratch {
   }
   /// Of the host, where kernels may write: what needs no copy.
   template <class Value>
-  static Value* result() {
-    static_assert(sizeof(Value) <= result_room);
+  static Value* results(std::int64_t count) {
     GpuScratch& scratch = of_this_thread();
-    if (scratch.result_ == nullptr) scratch.result_ = GpuHostSpace::allocate(result_room);
-    return static_cast<Value*>(scratch.result_);
+    scratch.make_results(static_cast<std::size_t>(count) * sizeof(Value));
+    return static_cast<Value*>(scratch.results_);
   }
   /// Of the device: a number that is 0 between kernels.
   static unsigned* counter() {
@@ -195,12 +205,21 @@ class GpuScratch {
   GpuScratch& operator=(const GpuScratch&) = delete;
 
  private:
-  static constexpr std::size_t result_room = 4096;
+  static constexpr std::size_t least_room = 4096;
   GpuScratch() = default;
   ~GpuScratch() {
     GpuSpace::release(memory_, room_);
     GpuSpace::release(counter_, 0);
-    GpuHostSpace::release(result_, result_room);
+    GpuHostSpace::release(results_, results_room_);
+  }
+  void make_results(std::size_t wanted) {
+    if (wanted <= results_room_) return;
+    GpuHostSpace::release(results_, results_room_);
+    results_ = nullptr;
+    results_room_ = 0;
+    const std::size_t room = GpuHostSpace::room(wanted < least_room ? least_room : wanted);
+    results_ = GpuHostSpace::allocate(room);
+    results_room_ = room;
   }
   static GpuScratch& of_this_thread() {
     static thread_local GpuScratch scratch;
@@ -218,7 +237,8 @@ class GpuScratch {
   }
   void* memory_ = nullptr;
   std::size_t room_ = 0;
-  void* result_ = nullptr;
+  void* results_ = nullptr;
+  std::size_t results_room_ = 0;
   unsigned* counter_ = nullptr;
 };
 
@@ -228,11 +248,25 @@ void parallel_reduce(const char* name, RangePolicy<Gpu> range, const Functor& fu
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_copyable_v<Functor>);
   const std::int64_t count = range.end - range.begin, pieces = sum_pieces(count);
   auto* const partial = GpuScratch::values<Value>(pieces);
-  auto* const written = GpuScratch::result<Value>();
-  launch(name, pieces, &sum_range<Value, Functor>, range.begin, count, functor, partial, GpuScratch::counter(),
-         written);
+  auto* const written = GpuScratch::results<Value>(1);
+  launch(name, pieces, &sum_range<Value, Functor>, range.begin, count, pieces, 0, functor, partial,
+         GpuScratch::counter(), written);
   require_gpu(PINBALL_GPU(StreamSynchronize)(nullptr), name);
   result = *written;
+}
+
+/// By the same kernel: they come without a copy, too.
+template <class Functor, class Value>
+void reduce_pieces(const char* name, RangePolicy<Gpu> range, PieceRange pieces, const Functor& functor,
+                   Value* partial) {
+  static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_copyable_v<Functor>);
+  const std::int64_t count = range.end - range.begin, some = pieces.last - pieces.first;
+  if (some <= 0) return;
+  auto* const written = GpuScratch::results<Value>(some);
+  launch(name, some, &sum_range<Value, Functor>, range.begin, count, sum_pieces(count), pieces.first, functor, written,
+         nullptr, nullptr);
+  require_gpu(PINBALL_GPU(StreamSynchronize)(nullptr), name);
+  for (std::int64_t p = 0; p < some; ++p) partial[pieces.first + p] = written[p];
 }
 
 /// The term of each index, for its sums.

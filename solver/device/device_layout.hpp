@@ -21,6 +21,8 @@ class DeviceLayout {
   DeviceState<S> state(const Model<S>& model) const;
   void to_model(const DeviceState<S>& state, Model<S>& model) const;
 
+  std::int64_t places() const { return std::ssize(slot_of_place_); }
+  const std::vector<DevicePart<S>>& parts() const { return parts_; }  ///< of mesh()
   std::int64_t slot_of_place(std::int64_t place) const { return slot_of_place_[place]; }
   /// Bodies of the parts of mesh(): DevicePart::body.
   std::int32_t body_of_part(std::size_t part) const { return parts_[part].body; }

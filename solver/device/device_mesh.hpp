@@ -30,6 +30,7 @@ struct DeviceMesh {
   std::int32_t nodes = 0;
   std::int64_t places = 0;  ///< with padding
   std::int32_t tiles = 0;
+  bool is_shared = false;  ///< with other ranks: `tile` says who works what (TileWork)
   std::vector<DevicePart<S>> parts;
   Array<std::int32_t> corner;            ///< [places x 8] in rows: nodes
   Array<std::int32_t> tile;              ///< [places / widest_pack]: of the host, each of whole packs of that width

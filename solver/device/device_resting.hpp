@@ -7,6 +7,19 @@
 
 namespace pinball {
 
+/// What is done with the elements of a tile. Of several ranks, packs that are another's have numbers of tiles behind
+/// those of the model.
+struct TileWork {
+  static constexpr std::uint8_t awake = 0;
+  static constexpr std::uint8_t rests = 1;
+  static constexpr std::uint8_t for_sums = 2;  ///< worked, for this rank forms their sum; their rank knows the step
+  static constexpr std::uint8_t none = 3;
+
+  static constexpr std::int32_t number_for_sums(std::int32_t tiles) { return tiles; }
+  static constexpr std::int32_t number_of_none(std::int32_t tiles) { return tiles + 1; }
+  static constexpr std::int32_t numbers = 2;  ///< behind those of the model
+};
+
 /// Some of a resting tile's nodes, first ... end - 1: the work of one thread.
 struct RestingPiece {
   std::int32_t first, end;

@@ -57,15 +57,48 @@ std::unique_ptr<DeviceStep<S>> make_step([[maybe_unused]] Device device, [[maybe
 }  // namespace
 
 template <class S>
-DeviceRun<S>::DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>& schedule)
-    : model_(model), forces_(forces), schedule_(schedule), device_(device_for(model.scene)), layout_(model) {
-  step_ = make_step(device_, layout_.mesh(model));
+DeviceRun<S>::DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>& schedule, Subdomain<S>* domain)
+    : model_(model),
+      forces_(forces),
+      schedule_(schedule),
+      domain_(domain),
+      device_(device_for(model.scene)),
+      layout_(model) {
+  DeviceMesh<S> mesh = layout_.mesh(model);
+  if (domain != nullptr) {
+    domain->set_device(choose_device(device_, domain->rank_on_machine()));
+    ranks_.emplace(model, layout_, device_, *domain);
+    ranks_->mark(mesh);
+  }
+  step_ = make_step(device_, mesh);
   common_ = std::make_unique<CommonMirror<S>>(*step_, model.nodes);
   state_ = layout_.state(model);
+  if (domain != nullptr) share_with_ranks();
+}
+
+template <class S>
+void DeviceRun<S>::share_with_ranks() {
+  step_->set_pieces(ranks_->pieces());
+  domain_->bring_own_by([this] { bring_own(); });
+  domain_->keep_with_state([this] {
+    if (!knows_resting_) return;
+    rests_on_ranks_ = step_->read_resting();
+    domain_->share_tiles(rests_on_ranks_.data());
+  });
 }
 
 template <class S>
 void DeviceRun<S>::bring_back() {
+  if (domain_ == nullptr) {
+    bring_own();
+  } else {
+    domain_->bring_back(model_);
+  }
+}
+
+/// Of several ranks: of what this one works.
+template <class S>
+void DeviceRun<S>::bring_own() {
   if (!device_is_newer_) return;
   common_->give(NodeNumbers::none);
   step_->read(state_);
@@ -76,7 +109,28 @@ void DeviceRun<S>::bring_back() {
 
 template <class S>
 void DeviceRun<S>::bring_back_resting() {
-  if (knows_resting_) schedule_.set_resting(model_, step_->read_resting());
+  if (!knows_resting_) return;
+  schedule_.set_resting(model_, domain_ == nullptr ? step_->read_resting() : rests_on_ranks_);
+}
+
+template <class S>
+void DeviceRun<S>::bring_nodes() {
+  NodeStore<S>& nodes = model_.nodes;
+  step_->read_nodes(nodes.position.data(), nodes.velocity.data(), nodes.force.data());
+  domain_->bring_nodes(model_);
+  step_->write_nodes(nodes.position.data(), nodes.velocity.data(), nodes.force.data());
+  nodes.force.reset(nodes.force.size());
+}
+
+/// What output sums up where the state lies is summed up by rank 0, which has the others' part of it for that.
+template <class S>
+void DeviceRun<S>::show_whole_state() {
+  send_state();
+  if (domain_ == nullptr || has_whole_state_) return;
+  bring_back();
+  state_ = layout_.state(model_);
+  step_->write(state_);
+  has_whole_state_ = true;
 }
 
 /// Sends what the host has changed.
@@ -84,6 +138,7 @@ template <class S>
 void DeviceRun<S>::send_state() {
   if (!host_is_newer_) return;
   host_is_newer_ = false;
+  has_whole_state_ = true;
   asks_what_rests_ = true;
   state_ = layout_.state(model_);
   step_->write(state_);
@@ -114,28 +169,34 @@ void DeviceRun<S>::tell_resting() {
   const DeviceResting<S> list = resting_list(model_, *schedule_.resting(), forces_.tiles());
   step_->set_resting(list);
   resting_ = list.tile;
-  knows_resting_ = true;
+  knows_resting_ = rests_anywhere_ = true;
 }
 
-/// Which tiles rest is found before they are updated, which changes nothing of it. They are updated once more, for the
-/// stable steps that they keep from then on.
+/// The tiles that were found at rest are updated once more, for the stable steps that they keep from then on.
+template <class S>
+ElementTotals<S> DeviceRun<S>::update_anew(const ElementStep<S>& step) {
+  Array<S> rates;
+  const ElementTotals<S> totals = step_->update_elements(step, rates);
+  keep_time_steps(model_, layout_, *schedule_.resting(), rates, forces_);
+  if (domain_ != nullptr) forces_.share_time_steps(*domain_);
+  tell_resting();
+  return totals;
+}
+
+/// Which tiles rest is found before they are updated, which changes nothing of it.
 template <class S>
 InternalForceResult<S> DeviceRun<S>::update_elements(const Due& /*due*/, const ElementStep<S>& step, bool more_forces) {
-  RestingTotals<S> resting;
-  ElementTotals<S> totals;
+  typename DeviceRanks<S>::Resting resting;
   const bool found = take_changes();
   common_->give(NodeNumbers::force);
   device_is_newer_ = true;
-  if (found) {
-    Array<S> rates;
-    totals = step_->update_elements(step, rates);
-    keep_time_steps(model_, layout_, *schedule_.resting(), rates, forces_);
-    tell_resting();
-  } else {
-    resting = step_->wake();
-    totals = step_->update_elements(step);
-  }
+  has_whole_state_ = false;
+  if (ranks_) ranks_->connect(*step_);
+  if (!found) resting = wake();
+  ElementTotals<S> totals = found ? update_anew(step) : step_->update_elements(step);
+  if (ranks_) ranks_->exchange_forces(*step_);
   if (more_forces) step_->sum_corner_forces();
+  if (ranks_) totals = ranks_->share(step_->pieces_of_parts(), totals);
   eroded_.clear();
   InternalForceResult<S> result;
   result.internal = totals.internal;
@@ -146,10 +207,9 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Due& /*due*/, const E
   result.folding = totals.folding;
   result.time_step = S(2) / totals.stable_rate;  // infinite without living elements
   result.time_step_slot = totals.place < 0 ? -1 : layout_.slot_of_place(totals.place);
-  if (resting.index >= 0 && resting.time_step < result.time_step) {
+  if (resting.tile >= 0 && resting.time_step < result.time_step) {
     result.time_step = resting.time_step;
-    const std::int32_t tile = resting_[resting.index];
-    result.time_step_slot = forces_.tiles()[tile].time_step_slot;
+    result.time_step_slot = forces_.tiles()[resting.tile].time_step_slot;
   }
   if (model_.scene.skip.resting) result.resting_elements = resting.elements;
   result.eroded_count = eroded_count_ = totals.eroded_count;
@@ -158,13 +218,25 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Due& /*due*/, const E
   return result;
 }
 
+/// Returns what rests in this step.
+template <class S>
+typename DeviceRanks<S>::Resting DeviceRun<S>::wake() {
+  const RestingTotals<S> own = step_->wake();
+  const std::int32_t tile = own.index < 0 ? -1 : resting_[own.index];
+  typename DeviceRanks<S>::Resting resting{own.time_step, tile, own.elements};
+  if (!ranks_ || !rests_anywhere_) return resting;
+  resting = ranks_->share(resting);
+  rests_anywhere_ = resting.tile >= 0;
+  return resting;
+}
+
 template <class S>
 std::unique_ptr<BoundaryKernels<S>> DeviceRun<S>::boundary_kernels() const {
 #if defined(PINBALL_WITH_MOCK)
-  if (device_ == Device::mock) return make_mock_boundary_kernels<S>(layout_.places_of_slots());
+  if (device_ == Device::mock) return make_mock_boundary_kernels<S>(layout_.places_of_slots(), domain_);
 #endif
 #if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
-  return make_gpu_boundary_kernels<S>(layout_.places_of_slots());
+  return make_gpu_boundary_kernels<S>(layout_.places_of_slots(), domain_);
 #else
   return {};
 #endif
@@ -192,7 +264,7 @@ template <class S>
 MotionEnergy DeviceRun<S>::integrate(const Due& /*due*/, const StepLengths& step) {
   device_is_newer_ = true;
   common_->give(NodeNumbers::all);
-  return step_->integrate(step);
+  return ranks_ ? ranks_->integrate(*step_, step) : step_->integrate(step);
 }
 
 /// All numbers of the new ones are shown, for those of the others are, too.
@@ -244,13 +316,13 @@ void DeviceRun<S>::bring_strains(std::span<const std::int64_t> slots, const std:
 
 template <class S>
 NodeArrays<S> DeviceRun<S>::nodes_for_output() {
-  send_state();
+  show_whole_state();
   return nodes(NodeNumbers::none);
 }
 
 template <class S>
 std::vector<BodySum> DeviceRun<S>::body_sums() {
-  send_state();
+  show_whole_state();
   common_->give(NodeNumbers::none);
   if (!knows_bodies_) {
     step_->set_bodies(body_elements(model_, [this](std::int64_t slot) { return layout_.place_of_slot(slot); }));
@@ -262,7 +334,7 @@ std::vector<BodySum> DeviceRun<S>::body_sums() {
 template <class S>
 std::vector<ElementWork> DeviceRun<S>::work_of_bodies() {
   std::vector<ElementWork> work(model_.scene.bodies.size());
-  const std::vector<ElementTotals<S>>& totals = step_->totals_of_parts();
+  const std::vector<ElementTotals<S>>& totals = ranks_ ? ranks_->totals_of_parts() : step_->totals_of_parts();
   for (std::size_t part = 0; part < totals.size(); ++part) {
     const std::int32_t of = layout_.body_of_part(part);
     if (of < 0) continue;
@@ -277,6 +349,10 @@ std::vector<ElementWork> DeviceRun<S>::work_of_bodies() {
 
 template <class S>
 void DeviceRun<S>::show_watched(std::span<const std::int32_t> nodes, std::span<const std::int64_t> slots) {
+  if (domain_ != nullptr) {
+    bring_back();
+    return;
+  }
   if (!device_is_newer_) return;
   common_->give(NodeNumbers::none);
   std::vector<std::int64_t> numbers, places, components;

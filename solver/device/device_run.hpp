@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 
 #include "common_mirror.hpp"
 #include "device_layout.hpp"
+#include "device_ranks.hpp"
 #include "device_step.hpp"
 #include "step_space.hpp"
 
@@ -31,9 +33,9 @@ struct MissingOnDevice : InputError {
 template <class S>
 class DeviceRun final : public StepSpace<S> {
  public:
-  /// All have to stay where they are; `forces` keeps the stable steps of tiles at rest. Throws MissingOnDevice, and
-  /// InputError where there is no such device.
-  DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>& schedule);
+  /// All have to stay where they are; `forces` keeps the stable steps of tiles at rest. domain: of several ranks, each
+  /// with a device; null: this process is alone. Throws MissingOnDevice, and InputError where there is no such device.
+  DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>& schedule, Subdomain<S>* domain = nullptr);
 
   std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const override;
   std::unique_ptr<PinballKernels<S>> pinball_kernels() const override;
@@ -57,6 +59,7 @@ class DeviceRun final : public StepSpace<S> {
   std::vector<ElementWork> work_of_bodies() override;
   void show_watched(std::span<const std::int32_t> nodes, std::span<const std::int64_t> slots) override;
 
+  void bring_nodes() override;
   void bring_back() override;
   void bring_back_resting() override;
   void host_has_changed() override {
@@ -66,16 +69,23 @@ class DeviceRun final : public StepSpace<S> {
   std::size_t bytes() const override;
 
  private:
+  void share_with_ranks();
+  ElementTotals<S> update_anew(const ElementStep<S>& step);
+  typename DeviceRanks<S>::Resting wake();
   bool take_changes();
   void send_state();
+  void bring_own();
+  void show_whole_state();
   void tell_resting();
   void bring_strains(std::span<const std::int64_t> slots, const std::vector<std::int64_t>& places);
 
   Model<S>& model_;
   InternalForces<S>& forces_;
   Schedule<S>& schedule_;
+  Subdomain<S>* domain_;
   Device device_;
   DeviceLayout<S> layout_;
+  std::optional<DeviceRanks<S>> ranks_;  ///< only with domain_
   std::unique_ptr<DeviceStep<S>> step_;
   std::unique_ptr<CommonMirror<S>> common_;
   DeviceState<S> state_;  ///< what crosses over, in the device's layout
@@ -87,6 +97,10 @@ class DeviceRun final : public StepSpace<S> {
   std::vector<std::int64_t> eroded_;   ///< their slots, when somebody has asked
   bool any_eroded_ = false;            ///< in any step
   bool knows_bodies_ = false;
+  // Of several ranks:
+  bool has_whole_state_ = false;              ///< the device, also what is another's
+  bool rests_anywhere_ = false;               ///< any tile, on any rank
+  std::vector<std::uint8_t> rests_on_ranks_;  ///< per tile, when the state was last brought back
 };
 
 }  // namespace pinball

@@ -10,9 +10,11 @@
 
 #include "body_sums.hpp"
 #include "common_numbers.hpp"
+#include "device_halo.hpp"
 #include "device_mesh.hpp"
 #include "device_resting.hpp"
 #include "element_totals.hpp"
+#include "some_pieces.hpp"
 
 namespace pinball {
 
@@ -47,6 +49,24 @@ class DeviceStep {
   /// Velocities and positions of all nodes, and zero forces (node_update.hpp); sums the corner forces first where
   /// sum_corner_forces has not been called.
   virtual MotionEnergy integrate(const StepLengths& step) = 0;
+
+  // ---- Of several ranks with a device each (DeviceMesh::is_shared) ----
+
+  /// What this one works of the sums over each part, which update_elements() then keeps, and over all nodes.
+  virtual void set_pieces(std::vector<SomePieces<S>> of_parts) = 0;
+  virtual std::vector<SomePieces<S>>& pieces_of_parts() = 0;
+  /// What crosses to others from the next update on.
+  virtual void set_halo(const DeviceHalo& halo) = 0;
+  /// After update_elements(), and before their sums: three numbers for each corner that is sent; what others
+  /// have sent is to be at received_halo() before scatter_halo().
+  virtual const S* gather_halo(Messages on) = 0;
+  virtual S* received_halo(Messages on) = 0;
+  virtual void scatter_halo(Messages on) = 0;
+  /// Nodes of some pieces of the sum over all; of_piece: of each piece.
+  virtual void integrate(const StepLengths& step, PieceRange pieces, MotionEnergy* of_piece) = 0;
+  /// Records of all nodes.
+  virtual void read_nodes(S* position, S* velocity, S* force) const = 0;
+  virtual void write_nodes(const S* position, const S* velocity, const S* force) = 0;
 
   // ---- Numbers that the host asks for or has changed ----
 

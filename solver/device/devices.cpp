@@ -73,4 +73,16 @@ void require_device(Device device) {
   }
 }
 
+std::string choose_device(Device device, [[maybe_unused]] int number) {
+  require_device(device);
+#if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
+  if (device != Device::mock) {
+    const ChosenGpu chosen = choose_gpu(number);
+    if (chosen.number < 0) throw InputError(fmt::format("device {}: {}", device_name(device), chosen.problem));
+    return fmt::format("{}, {} of {}", report_of(device).what, chosen.number, chosen.count);
+  }
+#endif
+  return device_name(device);
+}
+
 }  // namespace pinball

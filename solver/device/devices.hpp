@@ -25,4 +25,9 @@ DeviceReport report_of(Device device);
 /// Throws InputError, with one sentence, where the program was not built for a device or the machine has none.
 void require_device(Device device);
 
+/// Of several ranks on this machine each takes another device, one after the other and then from the first again: what
+/// this process does on a device from now on is done on that one. number: of the rank on this machine. Returns which it
+/// is ("NVIDIA H200, 0 of 4"). Throws InputError where there is none.
+std::string choose_device(Device device, int number);
+
 }  // namespace pinball

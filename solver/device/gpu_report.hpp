@@ -14,4 +14,12 @@ struct GpuReport {
 
 GpuReport gpu_report();
 
+struct ChosenGpu {
+  std::string problem;  ///< what the runtime says where there is none
+  int number = -1, count = 0;
+};
+
+/// Makes one of the devices of this machine that of the calling thread: `number` modulo how many there are.
+ChosenGpu choose_gpu(int number);
+
 }  // namespace pinball

@@ -1,24 +1,29 @@
 #pragma once
 
+#include <vector>
+
 #include <kernels/tetrahedron_update.hpp>
 #include <solver/elements/element_features.hpp>
 
 #include "device_mesh.hpp"
+#include "device_resting.hpp"
 #include "element_totals.hpp"
 #include "fetched_elements.hpp"
+#include "some_pieces.hpp"
 
 /// The element kernel on an execution space: a thread works one lane of a device, or one pack of the host.
 namespace pinball {
 
-/// Which elements belong to tiles at rest. These do not set the step: they keep theirs.
+/// Which elements are at rest, or another rank's. Neither set the step: they keep theirs, or that rank does.
 struct RestingElements {
   const std::int32_t* tile;   ///< per pack of the widest kind
-  const std::uint8_t* rests;  ///< per tile; null: nothing rests
-  bool updated;               ///< all the same
+  const std::uint8_t* rests;  ///< per tile (TileWork); null: all are awake
+  bool updated;               ///< at rest, but worked all the same
 
+  /// TileWork of the tile.
   template <class S>
-  PINBALL_FUNCTION bool has(std::int64_t place) const {
-    return rests != nullptr && rests[tile[place / widest_pack<S>]] != 0;
+  PINBALL_FUNCTION std::uint8_t at(std::int64_t place) const {
+    return rests == nullptr ? TileWork::awake : rests[tile[place / widest_pack<S>]];
   }
 };
 
@@ -103,9 +108,13 @@ struct UpdatesElements {
   }
   /// Whether the kernel has to look at a pack.
   PINBALL_FUNCTION bool takes(std::int64_t pack) const {
-    return launch.only_left ? launch.left[pack] != 0 : launch.resting.updated || !rests(pack);
+    if (launch.only_left) return launch.left[pack] != 0;
+    const std::uint8_t work = tile_work(pack);
+    return work == TileWork::rests ? launch.resting.updated : work != TileWork::none;
   }
-  PINBALL_FUNCTION bool rests(std::int64_t pack) const { return launch.resting.template has<S>(pack * width_of<T>); }
+  PINBALL_FUNCTION std::uint8_t tile_work(std::int64_t pack) const {
+    return launch.resting.template at<S>(pack * width_of<T>);
+  }
 
   /// Which packs are left for another kernel. Returns `done`.
   PINBALL_FUNCTION bool note(std::int64_t pack, bool done, ElementTotals<S>& totals) const {
@@ -120,38 +129,49 @@ struct UpdatesElements {
   PINBALL_FUNCTION void count(std::int64_t pack, ElementSums<T>& sums, ElementTotals<S>& totals) const {
     const std::int64_t first = pack * width_of<T>;
     if (launch.rates != nullptr) store(sums.stable_rate, launch.rates + first);
-    if (rests(pack)) sums.stable_rate = T(0);
+    if (tile_work(pack) != TileWork::awake) sums.stable_rate = T(0);
     totals.add(sums, first);
   }
 };
 
+/// some: of a rank, which works these pieces of the sum alone and keeps what each adds up to; null: all are worked.
 template <class S>
-using ElementKernel = ElementTotals<S> (*)(ElementLaunch<S>);
+using ElementKernel = ElementTotals<S> (*)(ElementLaunch<S>, SomePieces<S>*);
 
+/// of_piece: of each of some.
 template <class S, class Space, ElementFeatures features>
-ElementTotals<S> sweep_elements(const ElementLaunch<S>& launch) {
+ElementTotals<S> sweep_elements(const ElementLaunch<S>& launch, const SomePieces<S>* some, ElementTotals<S>* of_piece) {
   using Work = UpdatesElements<S, features>;
   constexpr int W = width_of<typename Work::T>;
+  const RangePolicy<Space> packs{launch.first / W, launch.last / W};
   ElementTotals<S> totals;
-  parallel_reduce("elements", RangePolicy<Space>{launch.first / W, launch.last / W}, Work{launch}, totals);
+  if (some == nullptr) {
+    parallel_reduce("elements", packs, Work{launch}, totals);
+    return totals;
+  }
+  for (const PieceRange pieces : some->worked) {
+    reduce_pieces("elements", packs, pieces, Work{launch}, of_piece);
+    for (std::int64_t p = pieces.first; p < pieces.last; ++p) totals.join(of_piece[p]);
+  }
   return totals;
 }
 
 /// Rare cases have a sweep of their own, over the packs that the first has left, in the steps in which it has left any.
 template <class S, class Space, ElementFeatures features>
-ElementTotals<S> update_elements(ElementLaunch<S> launch) {
+ElementTotals<S> update_elements(ElementLaunch<S> launch, SomePieces<S>* some) {
+  ElementTotals<S>* const usual_pieces = some == nullptr ? nullptr : some->usual.data();
   if constexpr (features.yield == YieldLaw::linear) {
     if (!(features.plastic && launch.constants.never_yields)) {
       constexpr ElementFeatures usual{features.plastic,   features.erosion, features.bulk_viscosity,
                                       features.hourglass, features.yield,   false};
-      ElementTotals<S> totals = sweep_elements<S, Space, usual>(launch);
+      ElementTotals<S> totals = sweep_elements<S, Space, usual>(launch, some, usual_pieces);
       if (totals.left_count == 0) return totals;
       launch.only_left = true;
-      totals.join(sweep_elements<S, Space, features>(launch));
+      totals.join(sweep_elements<S, Space, features>(launch, some, some == nullptr ? nullptr : some->of_left.data()));
       return totals;
     }
   }
-  return sweep_elements<S, Space, features>(launch);
+  return sweep_elements<S, Space, features>(launch, some, usual_pieces);
 }
 
 /// Each is compiled for itself, by the sources that define these; the choice is made once.

@@ -21,7 +21,7 @@ struct ComparesVelocities {
 
   PINBALL_FUNCTION void operator()(std::int64_t i) const {
     const RestingPiece piece = pieces[i];
-    if (rests[tile[piece.tile]] == 0) return;
+    if (rests[tile[piece.tile]] == TileWork::awake) return;
     const std::int64_t first = record[piece.tile];
     const S* const expected = velocity + 4 * first;
     bool other = false;
@@ -42,10 +42,10 @@ struct WakesTiles {
   std::uint8_t* rests;
 
   PINBALL_FUNCTION void operator()(std::int64_t i, RestingTotals<S>& totals) const {
-    if (rests[tile[i]] == 0) return;
+    if (rests[tile[i]] == TileWork::awake) return;
     for (std::int32_t p = first_piece[i]; p < first_piece[i + 1]; ++p) {
       if (moved[p] == 0) continue;
-      rests[tile[i]] = 0;
+      rests[tile[i]] = TileWork::awake;
       return;
     }
     totals.join({time_step[i], static_cast<std::int32_t>(i), elements[i]});
@@ -57,8 +57,9 @@ class SpaceResting {
   using Memory = typename Space::memory_space;
 
  public:
-  /// tiles: of the model.
-  void set(const DeviceResting<S>& resting, std::int32_t tiles) {
+  /// tiles: of the model. shared: with other ranks (TileWork).
+  void set(const DeviceResting<S>& resting, std::int32_t tiles, bool shared) {
+    shared_ = shared;
     count_ = resting.tile.size();
     updated_ = resting.updated;
     tile_ = list_in<Space>(resting.tile);
@@ -68,8 +69,10 @@ class SpaceResting {
     first_piece_ = list_in<Space>(resting.first_piece);
     pieces_ = list_in<Space>(resting.pieces);
     moved_.reset(resting.pieces.size());
-    std::vector<std::uint8_t> rests(tiles, 0);
-    for (const std::int32_t tile : resting.tile) rests[tile] = 1;
+    std::vector<std::uint8_t> rests(tiles, TileWork::awake);
+    for (const std::int32_t tile : resting.tile) rests[tile] = TileWork::rests;
+    rests.push_back(TileWork::for_sums);
+    rests.push_back(TileWork::none);
     rests_ = list_in<Space>(rests);
   }
   /// Wakes the tiles whose nodes no longer have one velocity.
@@ -86,13 +89,14 @@ class SpaceResting {
     if (totals.elements == 0) count_ = 0;
     return totals;
   }
-  /// Null: nothing rests.
-  const std::uint8_t* rests() const { return count_ > 0 ? rests_.data() : nullptr; }
+  /// Null: all tiles are worked, and nothing rests.
+  const std::uint8_t* rests() const { return count_ > 0 || shared_ ? rests_.data() : nullptr; }
   bool updated() const { return updated_; }
   /// Per tile of the model: whether it rests.
   std::vector<std::uint8_t> read() const {
     std::vector<std::uint8_t> rests(rests_.size());
     deep_copy(rests.data(), rests_);
+    rests.resize(rests.size() - TileWork::numbers);
     return rests;
   }
   std::size_t bytes() const {
@@ -102,12 +106,12 @@ class SpaceResting {
 
  private:
   std::int64_t count_ = 0;  ///< of the list
-  bool updated_ = false;
+  bool updated_ = false, shared_ = false;
   Array<std::int32_t, Memory> tile_, elements_, record_, first_piece_;
   Array<S, Memory> time_step_;
   Array<RestingPiece, Memory> pieces_;
   Array<std::uint8_t, Memory> moved_;  ///< per piece
-  Array<std::uint8_t, Memory> rests_;  ///< per tile of the model
+  Array<std::uint8_t, Memory> rests_;  ///< per tile of the model, and of the numbers behind them: TileWork
 };
 
 }  // namespace pinball

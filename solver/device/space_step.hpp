@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <kernels/corner_sums.hpp>
@@ -9,6 +10,7 @@
 
 #include "device_step.hpp"
 #include "space_elements.hpp"
+#include "space_halo.hpp"
 #include "space_records.hpp"
 #include "space_resting.hpp"
 
@@ -68,6 +70,7 @@ class SpaceStep final : public DeviceStep<S> {
   explicit SpaceStep(const DeviceMesh<S>& mesh)
       : nodes_(mesh.nodes),
         tiles_(mesh.tiles),
+        is_shared_(mesh.is_shared),
         material_numbers_(mesh.material_numbers),
         tile_(copy_of(mesh.tile)),
         corner_(copy_of(mesh.corner)),
@@ -82,6 +85,7 @@ class SpaceStep final : public DeviceStep<S> {
         left_(static_cast<std::size_t>(mesh.places)) {
     volumes_.copy(mesh.volumes);
     for (const DevicePart<S>& part : mesh.parts) add_part(part);
+    resting_.set({}, tiles_, is_shared_);
   }
 
   void write(const DeviceState<S>& state) override {
@@ -97,14 +101,14 @@ class SpaceStep final : public DeviceStep<S> {
 
   ElementTotals<S> update_elements(const ElementStep<S>& step) override { return update_parts(step, nullptr); }
   ElementTotals<S> update_elements(const ElementStep<S>& step, Array<S>& rates) override {
-    Array<S, Memory> kept(corner_force_.size() / 24);
+    Array<S, Memory> kept(tile_.size() * widest_pack<S>);
     const ElementTotals<S> totals = update_parts(step, kept.data());
     rates.renew(kept.size());
     deep_copy(rates, kept);
     return totals;
   }
 
-  void set_resting(const DeviceResting<S>& tiles) override { resting_.set(tiles, tiles_); }
+  void set_resting(const DeviceResting<S>& tiles) override { resting_.set(tiles, tiles_, is_shared_); }
   RestingTotals<S> wake() override { return resting_.wake(state_.velocity.data()); }
   std::vector<std::uint8_t> read_resting() const override { return resting_.read(); }
 
@@ -120,9 +124,7 @@ class SpaceStep final : public DeviceStep<S> {
   }
 
   MotionEnergy integrate(const StepLengths& step) override {
-    const MovingNodes<S> nodes{state_.position.data(),     state_.velocity.data(),     force_.data(),
-                               inverse_mass_.data(),       node_mass_.data(),          static_cast<S>(step.velocity()),
-                               static_cast<S>(step.after), static_cast<S>(step.before)};
+    const MovingNodes<S> nodes = moving(step);
     MotionEnergy energy;
     if (summed_) {
       parallel_reduce("integration", all_nodes(), IntegratesNodes<S>{nodes}, energy);
@@ -131,6 +133,39 @@ class SpaceStep final : public DeviceStep<S> {
                       SumsAndIntegrates<S>{nodes, corners(), corner_force_.data()}, energy);
     }
     return energy;
+  }
+
+  void set_pieces(std::vector<SomePieces<S>> of_parts) override { pieces_ = std::move(of_parts); }
+  std::vector<SomePieces<S>>& pieces_of_parts() override { return pieces_; }
+  void set_halo(const DeviceHalo& halo) override {
+    const auto places = static_cast<std::int64_t>(left_.size());
+    halo_.set(halo, places);
+    first_of_node_ = copy_of(halo.first_of_node);
+    corners_of_node_ = copy_of(halo.corners_of_node);
+    corner_force_.reset(24 * static_cast<std::size_t>(places + halo_.places_of(halo)));
+  }
+  const S* gather_halo(Messages on) override { return halo_.gather(corner_force_.data(), on); }
+  S* received_halo(Messages on) override { return halo_.received(on); }
+  void scatter_halo(Messages on) override { halo_.scatter(corner_force_.data(), on); }
+  void integrate(const StepLengths& step, PieceRange pieces, MotionEnergy* of_piece) override {
+    const MovingNodes<S> nodes = moving(step);
+    if (summed_) {
+      reduce_pieces("integration", all_nodes(), pieces, IntegratesNodes<S>{nodes}, of_piece);
+    } else {
+      reduce_pieces("sums of corner forces and integration", all_nodes(), pieces,
+                    SumsAndIntegrates<S>{nodes, corners(), corner_force_.data()}, of_piece);
+    }
+  }
+
+  void read_nodes(S* position, S* velocity, S* force) const override {
+    deep_copy(position, state_.position);
+    deep_copy(velocity, state_.velocity);
+    deep_copy(force, force_);
+  }
+  void write_nodes(const S* position, const S* velocity, const S* force) override {
+    deep_copy(state_.position, position, state_.position.size());
+    deep_copy(state_.velocity, velocity, state_.velocity.size());
+    deep_copy(force_, force, force_.size());
   }
 
   void set_common(CommonSet of, const std::vector<std::int32_t>& nodes) override { records(of).set(nodes); }
@@ -158,7 +193,8 @@ class SpaceStep final : public DeviceStep<S> {
   std::size_t bytes() const override {
     return corner_.bytes() + mass_share_.bytes() + folding_onset_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() +
            first_of_node_.bytes() + corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() +
-           left_.bytes() + tile_.bytes() + resting_.bytes() + volumes_.bytes() + common_.bytes() + listed_.bytes() +
+           left_.bytes() + tile_.bytes() + resting_.bytes() + halo_.bytes() + volumes_.bytes() + common_.bytes() +
+           listed_.bytes() +
            eroded_.bytes() + (bodies_ ? bodies_->bytes() : 0);
   }
 
@@ -178,7 +214,9 @@ class SpaceStep final : public DeviceStep<S> {
     ElementTotals<S> totals;
     totals_of_parts_.clear();
     if (volumes_.elements() > 0) average_volumes();
+    for (SomePieces<S>& pieces : pieces_) pieces.clear();
     for (const Part& part : parts_) {
+      SomePieces<S>* const some = is_shared_ ? &pieces_[totals_of_parts_.size()] : nullptr;
       totals_of_parts_.push_back(part.kernel({elements(),
                                               {state_.position.data(), state_.velocity.data(), nullptr},
                                               part.constants,
@@ -189,7 +227,8 @@ class SpaceStep final : public DeviceStep<S> {
                                               left_.data(),
                                               false,
                                               part.first,
-                                              part.last}));
+                                              part.last},
+                                             some));
       totals.join(totals_of_parts_.back());
     }
     summed_ = false;
@@ -203,6 +242,12 @@ class SpaceStep final : public DeviceStep<S> {
                                        state_.position.data());
     pinball::average_volumes<Space, device_row>(view, volumes_.elements(), volumes_.groups(), state_.mass.data(),
                                                 state_.volume_ratio.data());
+  }
+
+  MovingNodes<S> moving(const StepLengths& step) {
+    return {state_.position.data(),     state_.velocity.data(),     force_.data(),
+            inverse_mass_.data(),       node_mass_.data(),          static_cast<S>(step.velocity()),
+            static_cast<S>(step.after), static_cast<S>(step.before)};
   }
 
   template <class T>
@@ -267,6 +312,7 @@ class SpaceStep final : public DeviceStep<S> {
 
   std::int64_t nodes_;
   std::int32_t tiles_;
+  bool is_shared_;
   int material_numbers_;
   Array<std::int32_t, Memory> tile_;
   Array<std::int32_t, Memory> corner_;
@@ -278,6 +324,8 @@ class SpaceStep final : public DeviceStep<S> {
   Array<S, Memory> corner_force_;     ///< of KeptAtCorners [force]
   Array<std::uint8_t, Memory> left_;  ///< per pack; zero between steps
   SpaceResting<S, Space> resting_;
+  SpaceHalo<S, Space> halo_;
+  std::vector<SomePieces<S>> pieces_;  ///< of each part; empty: this process is alone
   SpaceRecords<S, Space> common_, listed_;
   SpaceEroded<S, Space> eroded_;
   std::optional<SpaceBodySums<S, S, device_row, Space>> bodies_;

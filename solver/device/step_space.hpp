@@ -68,6 +68,9 @@ class StepSpace {
   /// Brings up to date the plastic strains of the surface, from which contact guesses what erodes next.
   virtual void show_strains(const Surface& surface) = 0;
 
+  /// Of several ranks: motion and forces of all nodes go to all, in the middle of a step.
+  virtual void bring_nodes() = 0;
+
   // ---- What output asks for, without the whole state ----
 
   /// Nodes for sums; of several ranks, those of all are here then.

@@ -119,6 +119,11 @@ std::int64_t InternalForces<S>::share_results(Schedule<S>& schedule, bool skips_
 }
 
 template <class S>
+void InternalForces<S>::share_time_steps(Subdomain<S>& domain) {
+  domain.share_tiles(results_.data());
+}
+
+template <class S>
 void InternalForces<S>::share_eroded(Model<S>& model) {
   std::vector<std::int64_t> of_tile;
   for (const TileResult<S>& result : results_) of_tile.push_back(result.eroded_count);

@@ -56,6 +56,8 @@ class InternalForces {
     results_[tile].time_step = time_step;
     results_[tile].time_step_slot = slot;
   }
+  /// The same of the tiles of all ranks.
+  void share_time_steps(Subdomain<S>& domain);
   std::size_t bytes() const { return results_.capacity() * sizeof(TileResult<S>) + volumes_.bytes(); }
 
  private:

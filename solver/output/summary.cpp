@@ -118,7 +118,8 @@ Json parallel_json(const ParallelRun& run) {
           {"messages", run.messages},
           {"common_nodes", run.common_nodes},
           {"bytes_per_step", run.bytes_per_step},
-          {"imbalance", run.imbalance}};
+          {"imbalance", run.imbalance},
+          {"devices", run.devices}};
 }
 
 const char* status_name(RunStatus status) {

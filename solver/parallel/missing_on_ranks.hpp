@@ -7,10 +7,10 @@
 namespace pinball {
 
 /// What of a completed scene several ranks cannot do yet, as the end of a sentence ("contact, subcycling"); empty: all
-/// of it can be done.
-std::string missing_on_ranks(const Scene& scene);
+/// of it can be done. averages_volumes: as of Model.
+std::string missing_on_ranks(const Scene& scene, bool averages_volumes);
 
 /// Throws InputError for a scene with any of it.
-void require_ranks_can(const Scene& scene);
+void require_ranks_can(const Scene& scene, bool averages_volumes);
 
 }  // namespace pinball

@@ -41,6 +41,10 @@ class Ranks {
   virtual ~Ranks() = default;
   virtual int number() const = 0;  ///< of this one
   virtual int count() const = 0;
+  /// Of this one among those on its machine, in the order of their numbers.
+  virtual int number_on_machine() const { return number(); }
+  /// Whether messages may begin and end in the memory of a CUDA device.
+  virtual bool reaches_cuda() const { return false; }
   /// Of the program that this rank runs: where two differ, so may what they compute.
   virtual std::uint64_t program() const = 0;
 

@@ -1,11 +1,13 @@
 #include "subdomain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
+#include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
 #include <solver/base/state_hash.hpp>
 
@@ -18,18 +20,36 @@ template <class S>
 Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
     : SharedNodes(ranks),
       elements_of_tile_(elements_of_tiles(model)),
-      rank_of_tile_((require_ranks_can(model.scene), ranks_of_tiles(model, ranks))),
+      rank_of_tile_((require_ranks_can(model.scene, model.averages_volumes()), ranks_of_tiles(model, ranks))),
       tile_packs_(model.tile_packs),
       pack_width_(model.elements.width),
       holders_(model, rank_of_tile_),
       common_(ranks, model.nodes.count),
-      averages_volumes_(model.averages_volumes()) {
-  const std::int32_t nodes = model.nodes.count;
-  spans_ = blocks(span_count(nodes), [nodes](std::int64_t span, const auto& take) {
-    const std::int64_t first = span * nodes_per_span;
-    for (std::int64_t n = first; n < std::min<std::int64_t>(nodes, first + nodes_per_span); ++n)
-      take(static_cast<std::int32_t>(n));
+      averages_volumes_(model.averages_volumes()),
+      on_device_(model.scene.device != Device::none) {
+  cut_nodes(model.nodes.count);
+}
+
+/// Blocks of nodes as they are summed up where the nodes are moved.
+template <class S>
+void Subdomain<S>::cut_nodes(std::int32_t nodes) {
+  static_assert(nodes_per_span == sum_lanes);
+  const std::int64_t count = on_device_ ? sum_pieces(nodes) : span_count(nodes);
+  for (std::int64_t block = 0; block < count; ++block) {
+    const std::int64_t end = on_device_ ? sum_piece(nodes, block, count).end : (block + 1) * nodes_per_span;
+    const std::int64_t spans = span_count(static_cast<std::int32_t>(std::min<std::int64_t>(end, nodes)));
+    block_of_span_.resize(spans, static_cast<std::int32_t>(block));
+    end_of_block_.push_back(std::min<std::int64_t>(end, nodes));
+  }
+  node_blocks_ = blocks(count, [this](std::int64_t block, const auto& take) {
+    const auto [first, end] = nodes_of_block(block);
+    for (std::int64_t n = first; n < end; ++n) take(static_cast<std::int32_t>(n));
   });
+}
+
+template <class S>
+std::pair<std::int64_t, std::int64_t> Subdomain<S>::nodes_of_block(std::int64_t block) const {
+  return {block == 0 ? 0 : end_of_block_[block - 1], end_of_block_[block]};
 }
 
 template <class S>
@@ -62,6 +82,18 @@ void Subdomain<S>::connect(Model<S>& model, std::uint64_t fingerprint) {
   hash.add(rank_of_tile_.data(), rank_of_tile_.size() * sizeof(std::int32_t));
   agree(ranks_, {0, "", model.elements.width, hash.value()});
   connected_ = true;
+  if (on_device_) share_devices();
+}
+
+template <class S>
+void Subdomain<S>::share_devices() {
+  using Name = std::array<char, 120>;
+  std::vector<std::int32_t> rank(ranks_.count());
+  std::iota(rank.begin(), rank.end(), 0);
+  std::vector<Name> names(rank.size(), Name{});
+  for (Name& name : names) device_.copy(name.data(), name.size() - 1);
+  share(rank, names.data());
+  for (const Name& name : names) devices_.emplace_back(name.data());
 }
 
 /// Lists that have ended are of no one else.
@@ -70,7 +102,9 @@ void Subdomain<S>::connect_sums(Model<S>& model) {
   std::erase_if(blocks_, [](const std::shared_ptr<SharedBlocks>& sum) { return sum.use_count() == 1; });
   holders_.take_more();
   corners_.reset();
-  corners_.emplace(model, rank_of_tile_, holders_, ranks_);
+  plan_.emplace(model, rank_of_tile_, holders_, ranks_.number());
+  ++plans_;
+  if (!on_device_) corners_.emplace(model, *plan_, rank_of_tile_, ranks_);
   find_worked();
 }
 
@@ -151,7 +185,7 @@ void Subdomain<S>::take_in(Model<S>& model, std::span<const std::int32_t> nodes)
 
 template <class S>
 void Subdomain<S>::bring_nodes(Model<S>& model) {
-  gather_nodes(model, {&model.nodes.position, &model.nodes.velocity, &model.nodes.force}, true);
+  gather_nodes({&model.nodes.position, &model.nodes.velocity, &model.nodes.force}, true);
 }
 
 template <class S>
@@ -196,9 +230,10 @@ void Subdomain<S>::send_state(Model<S>& model) {
   waits_ = false;
 }
 
-/// Of tiles from those who work them, of nodes from those who sum up their spans.
+/// Of tiles from those who work them, of nodes from those who sum up their blocks.
 template <class S>
 void Subdomain<S>::gather_state(Model<S>& model, bool to_all) {
+  if (bring_own_) bring_own_();
   const std::int64_t W = model.elements.width;
   const std::int64_t slots = std::max<std::int64_t>(model.elements.slots, 1);
   for (RealArray* array : model.elements.state()) {
@@ -212,21 +247,21 @@ void Subdomain<S>::gather_state(Model<S>& model, bool to_all) {
           to_all);
     });
   }
-  gather_nodes(model, {&model.nodes.position, &model.nodes.velocity}, to_all);
+  gather_nodes({&model.nodes.position, &model.nodes.velocity}, to_all);
   for (const std::function<void()>& bring : kept_) bring();
   is_whole_ = to_all || is_first();
 }
 
 template <class S>
-void Subdomain<S>::gather_nodes(const Model<S>& model, std::initializer_list<Array<S>*> arrays, bool to_all) {
+void Subdomain<S>::gather_nodes(std::initializer_list<Array<S>*> arrays, bool to_all) {
   std::vector<std::int32_t> owner;
-  for (std::int64_t span = 0; span < spans_->count(); ++span) owner.push_back(spans_->owner(span));
+  for (std::int64_t block = 0; block < node_blocks_->count(); ++block) owner.push_back(node_blocks_->owner(block));
   for (Array<S>* array : arrays) {
     gather_ranges(
         *array, owner,
-        [&](std::int64_t span) {
-          const std::int64_t first = span * nodes_per_span;
-          return std::pair(4 * first, 4 * std::min<std::int64_t>(model.nodes.count, first + nodes_per_span));
+        [this](std::int64_t block) {
+          const auto [first, end] = nodes_of_block(block);
+          return std::pair(4 * first, 4 * end);
         },
         to_all);
   }
@@ -264,17 +299,18 @@ SharedWork Subdomain<S>::work() const {
   const double all = std::accumulate(elements.begin(), elements.end(), 0.0);
   const std::int64_t most = *std::ranges::max_element(elements);
   return {.ranks = ranks_.count(),
-          .records = corners_ ? corners_->records() : 0,
-          .messages = corners_ ? corners_->messages() : 0,
+          .records = plan_ ? plan_->records : 0,
+          .messages = plan_ ? plan_->messages : 0,
           .common_nodes = common_.count(),
           .bytes_per_step = bytes_of_step_,
           .most_elements = most,
-          .imbalance = static_cast<double>(most) * ranks_.count() / all};
+          .imbalance = static_cast<double>(most) * ranks_.count() / all,
+          .devices = devices_};
 }
 
 template <class S>
 std::size_t Subdomain<S>::bytes() const {
-  return (corners_ ? corners_->bytes() : 0) + common_.bytes() + is_alive_.capacity();
+  return (plan_ ? plan_->bytes() : 0) + (corners_ ? corners_->bytes() : 0) + common_.bytes() + is_alive_.capacity();
 }
 
 template class Subdomain<double>;

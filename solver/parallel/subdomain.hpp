@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 
 #include "common_nodes.hpp"
 #include "corner_exchange.hpp"
+#include "corner_plan.hpp"
 #include "node_holders.hpp"
 #include "ranks.hpp"
 #include "shared_blocks.hpp"
@@ -34,12 +36,13 @@ enum class RankOrder : std::int32_t {
 /// How a run is shared by ranks.
 struct SharedWork {
   int ranks = 1;
-  std::int64_t records = 0;         ///< forces of corners that all send in a step
-  std::int64_t messages = 0;        ///< in which they do, each of one rank to one other
-  std::int64_t common_nodes = 0;    ///< that all ranks move
-  std::int64_t bytes_per_step = 0;  ///< that all send in the last step
-  std::int64_t most_elements = 0;   ///< of one rank
-  double imbalance = 1;             ///< most_elements over the mean of all ranks
+  std::int64_t records = 0;          ///< forces of corners that all send in a step
+  std::int64_t messages = 0;         ///< in which they do, each of one rank to one other
+  std::int64_t common_nodes = 0;     ///< that all ranks move
+  std::int64_t bytes_per_step = 0;   ///< that all send in the last step
+  std::int64_t most_elements = 0;    ///< of one rank
+  double imbalance = 1;              ///< most_elements over the mean of all ranks
+  std::vector<std::string> devices;  ///< of each rank; empty: the host works all elements
 };
 
 /// The part of a scene that one of several ranks works: whole tiles. Each rank has the model of the whole scene; of
@@ -63,9 +66,18 @@ class Subdomain final : public SharedNodes {
   std::shared_ptr<const SharedBlocks> blocks(std::int64_t count, SharedBlocks::Visit visit) override;
   std::int32_t rank_of_slot(std::int64_t slot) const override;
   std::int32_t rank() const { return ranks_.number(); }  ///< of this process
+  std::int32_t ranks() const { return ranks_.count(); }
+  std::int32_t rank_on_machine() const { return ranks_.number_on_machine(); }
+  bool reaches_cuda() const { return ranks_.reaches_cuda(); }
+  /// What the elements of this rank are worked by, for SharedWork.
+  void set_device(const std::string& name) { device_ = name; }
   std::int32_t rank_of_tile(std::int64_t tile) const { return rank_of_tile_[tile]; }
-  std::int32_t rank_of_node(std::int32_t node) const override { return spans_->owner(node / nodes_per_span); }
+  std::int32_t rank_of_node(std::int32_t node) const override {
+    return node_blocks_->owner(block_of_span_[node / nodes_per_span]);
+  }
   void keep_with_state(std::function<void()> bring) override { kept_.push_back(std::move(bring)); }
+  /// Calls bring() before this rank gives others its part of the state: what brings it into the model.
+  void bring_own_by(std::function<void()> bring) { bring_own_ = std::move(bring); }
   /// Nodes that all ranks are to move (CommonNodes).
   void add_common(std::span<const std::int32_t> nodes);
   /// All sums are known: who sends what to whom. Adds records to the nodes of the model. fingerprint: of the model.
@@ -77,6 +89,10 @@ class Subdomain final : public SharedNodes {
   bool works(std::int64_t tile) const { return rank_of_tile_[tile] == ranks_.number(); }
   void begin_step();
   void end_step();
+  /// Which forces cross between ranks; another one when plans() is another number.
+  const CornerPlan& corner_plan() const { return *plan_; }
+  std::int64_t plans() const { return plans_; }
+  // Of ranks whose elements the host works:
   /// Nodes at the corners of elements as kernels see them (ElementView).
   const std::int32_t* corner() const { return corners_->corner(); }
   void spread(NodeStore<S>& nodes) const { corners_->spread(nodes); }
@@ -103,8 +119,8 @@ class Subdomain final : public SharedNodes {
   /// Motion and forces of all nodes, for what begins or ends now; connect_sums() when its sums are known.
   void bring_nodes(Model<S>& model);
   void connect_sums(Model<S>& model);
-  /// Spans of nodes: blocks of the sum of kinetic energies.
-  const SharedBlocks& spans() const { return *spans_; }
+  /// Blocks of the sum of kinetic energies over all nodes: spans, of a run on a device pieces (sum_piece).
+  const SharedBlocks& node_blocks() const { return *node_blocks_; }
   std::int32_t elements_of_tile(std::int64_t tile) const { return elements_of_tile_[tile]; }
 
   // ---- Between steps ----
@@ -125,9 +141,12 @@ class Subdomain final : public SharedNodes {
 
  private:
   bool moves(std::int64_t node) const { return holders_.has(node, ranks_.number()) || common_.has(node); }
+  void share_devices();
+  void cut_nodes(std::int32_t nodes);
+  std::pair<std::int64_t, std::int64_t> nodes_of_block(std::int64_t block) const;
   void find_worked();
   void gather_state(Model<S>& model, bool to_all);
-  void gather_nodes(const Model<S>& model, std::initializer_list<Array<S>*> arrays, bool to_all);
+  void gather_nodes(std::initializer_list<Array<S>*> arrays, bool to_all);
   template <class E, class Range>
   void gather_ranges(Array<E>& array, const std::vector<std::int32_t>& owner, const Range& range, bool to_all);
 
@@ -140,9 +159,17 @@ class Subdomain final : public SharedNodes {
   bool has_eroded_ = false;             ///< any, since share_strains()
   bool averages_volumes_;               ///< of elements, over what has not eroded
   std::vector<std::shared_ptr<SharedBlocks>> blocks_;
-  std::shared_ptr<const SharedBlocks> spans_;
-  std::optional<CornerExchange<S>> corners_;  ///< from connect() on
+  std::vector<std::int32_t> block_of_span_;  ///< of nodes
+  std::vector<std::int64_t> end_of_block_;   ///< node behind the last of each
+  std::shared_ptr<const SharedBlocks> node_blocks_;
+  bool on_device_;                            ///< elements and nodes are worked by one
+  std::optional<CornerPlan> plan_;            ///< from connect() on
+  std::int64_t plans_ = 0;                    ///< that were made
+  std::optional<CornerExchange<S>> corners_;  ///< from connect() on; not on a device
   std::vector<std::function<void()>> kept_;
+  std::function<void()> bring_own_;
+  std::string device_;
+  std::vector<std::string> devices_;  ///< of all ranks
   RankOrder order_ = RankOrder::end;
   bool connected_ = false;
   bool in_step_ = false;

@@ -43,6 +43,8 @@ class HostStep final : public StepSpace<S> {
     if (domain_ != nullptr) domain_->share_strains(model_, surface);
   }
 
+  void bring_nodes() override { domain_->bring_nodes(model_); }
+
   NodeArrays<S> nodes_for_output() override {
     bring_back();
     return nodes(NodeNumbers::none);

@@ -70,11 +70,11 @@ MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLen
   const std::int64_t spans = span_count(model.nodes.count);
   if (domain == nullptr) return sum_of_spans(spans, due, integrate);
   std::vector<MotionEnergy> of_span(spans);
-  for (const SharedBlocks::Run& run : domain->spans().worked()) {
+  for (const SharedBlocks::Run& run : domain->node_blocks().worked()) {
     parallel_for("integration", RangePolicy<>{run.begin, run.end},
                  [&](std::int64_t span) { of_span[span] = integrate(span); });
   }
-  domain->spans().gather(of_span.data());
+  domain->node_blocks().gather(of_span.data());
   return sum_of_spans(spans, due, [&](std::int64_t span) { return of_span[span]; });
 }
 

@@ -181,8 +181,8 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.device = device_name(scene.device);
   summary.simd_width = model.elements.width;
   const SharedWork shared = solver.shared_work();
-  summary.parallel = {shared.ranks,        shared.records,        shared.messages,
-                      shared.common_nodes, shared.bytes_per_step, shared.imbalance};
+  summary.parallel = {shared.ranks,          shared.records,   shared.messages, shared.common_nodes,
+                      shared.bytes_per_step, shared.imbalance, shared.devices};
   summary.elements = model.element_count();
   summary.nodes = model.mesh.nodes.size();
   summary.steps = clock.steps();

@@ -97,7 +97,7 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
 template <class S>
 std::unique_ptr<StepSpace<S>> Solver<S>::make_space() {
   if (model_.scene.device != Device::none) {
-    return std::make_unique<DeviceRun<S>>(model_, internal_forces_, schedule_);
+    return std::make_unique<DeviceRun<S>>(model_, internal_forces_, schedule_, domain_.get());
   }
   return std::make_unique<HostStep<S>>(model_, internal_forces_, schedule_, domain_.get());
 }

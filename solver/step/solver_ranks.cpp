@@ -37,7 +37,7 @@ void Solver<S>::choose_common_nodes() {
 /// Where some begin or end, ranks add up other sums, for which they need nodes that they had not.
 template <class S>
 void Solver<S>::follow_constraints() {
-  if (domain_ && boundary_.changes(clock_.time())) domain_->bring_nodes(model_);
+  if (domain_ && boundary_.changes(clock_.time())) space_->bring_nodes();
   if (!boundary_.follow(model_, space_->nodes(NodeNumbers::none), clock_.time(), clock_.lengths())) return;
   contact_.take_held_directions(model_);
   if (domain_) domain_->connect_sums(model_);

@@ -90,16 +90,17 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
 TEST(Summary, TellsHowRanksHaveSharedTheRun) {
   RunSummary s = example();
   EXPECT_TRUE(Json::parse(summary_json(s))["parallel"].is_null());
-  s.parallel = {4, 1000, 12, 200, 30000, 1.25};
+  s.parallel = {4, 1000, 12, 200, 30000, 1.25, {"one", "another"}};
   const Json parallel = Json::parse(summary_json(s))["parallel"];
-  EXPECT_THAT(keys(parallel),
-              testing::ElementsAre("ranks", "records", "messages", "common_nodes", "bytes_per_step", "imbalance"));
+  EXPECT_THAT(keys(parallel), testing::ElementsAre("ranks", "records", "messages", "common_nodes", "bytes_per_step",
+                                                   "imbalance", "devices"));
   EXPECT_EQ(parallel["ranks"], 4);
   EXPECT_EQ(parallel["records"], 1000);
   EXPECT_EQ(parallel["messages"], 12);
   EXPECT_EQ(parallel["common_nodes"], 200);
   EXPECT_EQ(parallel["bytes_per_step"], 30000);
   EXPECT_EQ(parallel["imbalance"], 1.25);
+  EXPECT_EQ(parallel["devices"], Json({"one", "another"}));
 }
 
 TEST(Summary, HoldsTheValues) {

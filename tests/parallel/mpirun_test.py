@@ -81,6 +81,24 @@ def same_results():
             assert shared is None if ranks == 1 else shared["ranks"] == ranks and shared["bytes_per_step"] > 0, shared
 
 
+def a_device_each():
+    for name, ranks, partition in [("block", 2, "tiles"), ("taylor_bar", 3, "random:7"), ("spinning_block", 2, "tiles"),
+                                   ("cantilever", 2, "random:1"), ("plate_impact", 4, "tiles")]:
+        words = [*SCENES[name], "--device", "mock"]
+        folder = FOLDER / "devices" / name
+        run_alone(folder / "alone", *words)
+        run_on(ranks, folder / "ranks", *words, "--partition", partition)
+        expect_same(folder / "ranks", folder / "alone")
+        assert summary(folder / "ranks")["parallel"]["devices"] == ranks * ["mock"], folder
+    words = ["--set", "time.steps=30", "--checkpoint-every", 30, "--device", "mock"]
+    run_on(3, FOLDER / "devices" / "saved", *SCENES["taylor_bar"], *words)
+    more = ["--restart", FOLDER / "devices" / "saved" / "checkpoint.pinball", "--set", "time.steps=60", "--device", "mock"]
+    run_on(2, FOLDER / "devices" / "more", *more)
+    run_alone(FOLDER / "devices" / "alone", *more)
+    assert results(FOLDER / "devices" / "more") == results(FOLDER / "devices" / "alone")
+    assert "with a device each cannot do this scene yet: it has contact" in message_of(2, 2, "rod_plate", "--device", "mock")
+
+
 def deck_of_tetrahedra(path):
     """A bar of 4 x 4 x 12 cubes of 1 mm along z, each six C3D4, of which the lower end is held and all else flies down."""
     counts = (4, 4, 12)
@@ -228,7 +246,7 @@ def main():
     if len(sys.argv) > 4:
         every_input(pathlib.Path(sys.argv[4]))
         return 0
-    for check in (same_results, tetrahedra_of_a_deck, partition_by_metis, checkpoint_of_three_on_others, errors, unlike_programs, killed_rank):
+    for check in (same_results, a_device_each, tetrahedra_of_a_deck, partition_by_metis, checkpoint_of_three_on_others, errors, unlike_programs, killed_rank):
         check()
         print(check.__name__, "as expected", flush=True)
     return 0

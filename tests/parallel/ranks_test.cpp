@@ -124,7 +124,7 @@ TEST(Ranks, MoveNodesThatHaveBecomeCommonFromThenOn) {
     Subdomain<double> domain(model, ranks);
     domain.connect(model, 0);
     const auto works = [&](std::int32_t node) {
-      return std::ranges::any_of(domain.spans().worked(), [node](const SharedBlocks::Run& run) {
+      return std::ranges::any_of(domain.node_blocks().worked(), [node](const SharedBlocks::Run& run) {
         return node >= run.begin * nodes_per_span && node < run.end * nodes_per_span;
       });
     };
@@ -206,11 +206,14 @@ TEST(Ranks, RefuseByNameWhatTheyCannotDo) {
   scene.output.body_energies = true;
   scene.prescribed_velocities[0].when.end = 1e-4;
   scene.device = Device::mock;
-  EXPECT_EQ(missing_on_ranks(scene), "subcycling, --device");
+  EXPECT_EQ(missing_on_ranks(scene, true), "subcycling, contact, elements with averaged volumes");
   scene.time.subcycling = false;
   scene.device = Device::none;
-  EXPECT_EQ(missing_on_ranks(scene), "");
-  EXPECT_EQ(missing_on_ranks(cube()), "");
+  EXPECT_EQ(missing_on_ranks(scene, true), "");
+  Scene one = cube();
+  EXPECT_EQ(missing_on_ranks(one, false), "");
+  one.device = Device::mock;
+  EXPECT_EQ(missing_on_ranks(one, false), "");
   const std::string error = error_of([&] {
     on_ranks(
         2, {}, [&](ThreadRanks& ranks) { return Solver<double>(with_subcycling(), &ranks), 0; },

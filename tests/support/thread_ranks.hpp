@@ -6,6 +6,7 @@
 #include <thread>
 #include <vector>
 
+#include <kernels/exec.hpp>
 #include <solver/parallel/ranks.hpp>
 #include <solver/step/report.hpp>
 
@@ -17,6 +18,7 @@ class ThreadRanks final : public Ranks {
   /// What all of them see of each other.
   struct Team {
     explicit Team(int size) : members(size), barrier(size) {}
+    bool reaches_cuda = false;  ///< as a library of messages that begins and ends them in the memory of GPUs
     std::vector<ThreadRanks*> members;
     std::barrier<> barrier;
   };
@@ -32,6 +34,7 @@ class ThreadRanks final : public Ranks {
   int count() const override { return static_cast<int>(team_.members.size()); }
   std::uint64_t program() const override { return program_; }
   void set_program(std::uint64_t program) { program_ = program; }
+  bool reaches_cuda() const override { return team_.reaches_cuda; }
   /// Bytes that this one has given away, as a library of messages would count them.
   std::int64_t sent = 0;
 
@@ -69,9 +72,14 @@ class ThreadRanks final : public Ranks {
 
  private:
   void all_are_here() { team_.barrier.arrive_and_wait(); }
-  static void copy(std::span<const std::byte> from, std::span<std::byte> to) {
+  void copy(std::span<const std::byte> from, std::span<std::byte> to) const {
     if (from.size() != to.size()) throw std::logic_error("a message of another length than expected");
-    if (!to.empty()) std::memcpy(to.data(), from.data(), to.size());
+    if (to.empty()) return;
+    if (team_.reaches_cuda) {
+      MockSpace::copy(to.data(), from.data(), to.size());
+    } else {
+      std::memcpy(to.data(), from.data(), to.size());
+    }
   }
 
   Team& team_;
@@ -83,8 +91,9 @@ class ThreadRanks final : public Ranks {
 
 /// Runs use(ranks) of rank 0 on this thread, and others(ranks) of the others, each on one.
 template <class Use, class Others>
-auto on_ranks(int count, const Partition& partition, const Use& use, const Others& others) {
+auto on_ranks(int count, const Partition& partition, const Use& use, const Others& others, bool reaches_cuda = false) {
   ThreadRanks::Team team(count);
+  team.reaches_cuda = reaches_cuda;
   std::vector<std::jthread> threads;
   for (int rank = 1; rank < count; ++rank) {
     threads.emplace_back([&, rank] {

@@ -5,11 +5,12 @@
 namespace pinball {
 
 template <class S>
-std::unique_ptr<BoundaryKernels<S>> make_gpu_boundary_kernels(std::vector<std::int64_t> place_of_slot) {
-  return std::make_unique<SpaceBoundaryKernels<S, Gpu>>(std::move(place_of_slot));
+std::unique_ptr<BoundaryKernels<S>> make_gpu_boundary_kernels(std::vector<std::int64_t> place_of_slot,
+                                                              SharedNodes* sharing) {
+  return std::make_unique<SpaceBoundaryKernels<S, Gpu>>(std::move(place_of_slot), sharing);
 }
 
-template std::unique_ptr<BoundaryKernels<double>> make_gpu_boundary_kernels(std::vector<std::int64_t>);
-template std::unique_ptr<BoundaryKernels<float>> make_gpu_boundary_kernels(std::vector<std::int64_t>);
+template std::unique_ptr<BoundaryKernels<double>> make_gpu_boundary_kernels(std::vector<std::int64_t>, SharedNodes*);
+template std::unique_ptr<BoundaryKernels<float>> make_gpu_boundary_kernels(std::vector<std::int64_t>, SharedNodes*);
 
 }  // namespace pinball

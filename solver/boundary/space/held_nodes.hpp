@@ -38,9 +38,8 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
     shared_ = shared_list(sharing_, prescribed.size(), [prescribed](std::int64_t i) { return prescribed[i].node; });
     owner_moved_ = owners(prescribed);
     owner_held_ = keeps ? owners(constraints) : std::vector<std::int32_t>();
-    if constexpr (on_host<Space>) {  // what the rank has that moves the node, for the forces of tables
-      if (!std::exchange(is_kept_, true)) sharing_->keep_with_state([this] { share_forces(); });
-    }
+    // What the rank has that moves the node, for the forces of tables.
+    if (!std::exchange(is_kept_, true)) sharing_->keep_with_state([this] { share_forces(); });
   }
   void clear_forces() override {
     reaction_.reset(reaction_.size());
@@ -120,8 +119,8 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
     return owner;
   }
   void share_forces() {
-    if (!owner_moved_.empty()) sharing_->share(owner_moved_, reaction_.data());
-    if (!owner_held_.empty()) sharing_->share(owner_held_, held_.data());
+    if (!owner_moved_.empty()) share_array(*sharing_, owner_moved_, reaction_);
+    if (!owner_held_.empty()) share_array(*sharing_, owner_held_, held_);
   }
 
   using Memory = typename Space::memory_space;

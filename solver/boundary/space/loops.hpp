@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <kernels/exec.hpp>
+#include <kernels/exec/pieces.hpp>
 #include <solver/parallel/shared_nodes.hpp>
 
 #include "sums_in_packs.hpp"
@@ -37,6 +38,19 @@ SharedList shared_list(SharedNodes* sharing, std::int64_t count, const Node& nod
     const SumPiece piece = sum_piece(count, p, pieces);
     for (std::int64_t i = piece.begin; i < piece.end; ++i) take(node(i));
   });
+}
+
+/// Of each number of an array of the space, what its owner has goes to all ranks; owner: of each.
+template <class T, class Memory>
+void share_array(SharedNodes& sharing, const std::vector<std::int32_t>& owner, Array<T, Memory>& of) {
+  if constexpr (std::is_same_v<Memory, HostSpace>) {
+    sharing.share(owner, of.data());
+  } else {
+    std::vector<T> numbers(owner.size());
+    deep_copy(numbers.data(), of);
+    sharing.share(owner, numbers.data());
+    deep_copy(of, numbers.data(), numbers.size());
+  }
 }
 
 /// Calls functor(i) for i below count. Threads of the host are not called together for a few nodes. shared: leaves out
@@ -75,8 +89,14 @@ void add_sum(const char* name, std::int64_t count, const Functor& functor, Value
       shared->gather(partial.data());
     }
     own = sum_of_piece<Value>({0, pieces}, [&](std::int64_t p, Value& whole) { join_to(whole, partial[p]); });
-  } else {
+  } else if (shared == nullptr) {
     parallel_reduce(name, RangePolicy<Space>{0, count}, functor, own);
+  } else {
+    std::vector<Value> partial(shared->count());
+    for (const SharedBlocks::Run& run : shared->worked())
+      reduce_pieces(name, RangePolicy<Space>{0, count}, {run.begin, run.end}, functor, partial.data());
+    shared->gather(partial.data());
+    own = join_pieces(partial.data(), shared->count());
   }
   join_to(sum, own);
 }

@@ -15,9 +15,11 @@ template <class S>
 std::unique_ptr<BoundaryKernels<S>> make_host_boundary_kernels(SharedNodes* sharing = nullptr);
 /// For the mock device. place_of_slot: of SpaceBoundaryKernels.
 template <class S>
-std::unique_ptr<BoundaryKernels<S>> make_mock_boundary_kernels(std::vector<std::int64_t> place_of_slot = {});
+std::unique_ptr<BoundaryKernels<S>> make_mock_boundary_kernels(std::vector<std::int64_t> place_of_slot = {},
+                                                               SharedNodes* sharing = nullptr);
 /// For the GPU that is current, in a library with boundary_kernels_gpu.cu.
 template <class S>
-std::unique_ptr<BoundaryKernels<S>> make_gpu_boundary_kernels(std::vector<std::int64_t> place_of_slot);
+std::unique_ptr<BoundaryKernels<S>> make_gpu_boundary_kernels(std::vector<std::int64_t> place_of_slot,
+                                                              SharedNodes* sharing = nullptr);
 
 }  // namespace pinball

@@ -10,11 +10,12 @@ namespace pinball {
 template <class S, class Space>
 class SpacePressure final : public PressureKernels<S> {
  public:
-  /// sharing: of several ranks; null: one process has all faces.
-  SpacePressure(const FaceList& faces, SharedNodes* sharing)
+  /// place_of_slot: of elements in the arrays of the space; empty: they are the slots. sharing: of several ranks; null:
+  /// one process has all faces.
+  SpacePressure(const FaceList& faces, const std::vector<std::int64_t>& place_of_slot, SharedNodes* sharing)
       : sharing_(sharing),
         shared_(shared_list(sharing, faces.nodes.size(), [nodes = faces.nodes](std::int64_t i) { return nodes[i]; })),
-        element_(list_in<Space>(faces.element)),
+        element_(list_in<Space>(places_of(faces.element, place_of_slot))),
         corners_(list_in<Space>(faces.corners)),
         nodes_(list_in<Space>(faces.nodes)),
         first_(list_in<Space>(faces.first)),
@@ -28,9 +29,7 @@ class SpacePressure final : public PressureKernels<S> {
   void add(const NodeArrays<S>& nodes, S pressure) override {
     for_each<Space>("pressure", element_.size(),
                     PressFaces<S>{nodes, element_.data(), corners_.data(), pressure, corner_force_.data()});
-    if constexpr (on_host<Space>) {  // who works the element has all corners of the face
-      if (sharing_ != nullptr) sharing_->share(rank_of_face_, reinterpret_cast<FaceForce*>(corner_force_.data()));
-    }
+    if (sharing_ != nullptr) share_forces();
     for_each<Space>(
         "force of pressure", node_count(),
         GatherPressure<S>{nodes, nodes_.data(), first_.data(), places_.data(), corner_force_.data(), force_.data()});
@@ -54,6 +53,24 @@ class SpacePressure final : public PressureKernels<S> {
     S number[12];
   };
   using Memory = typename Space::memory_space;
+  static std::vector<std::int64_t> places_of(std::vector<std::int64_t> slots,
+                                             const std::vector<std::int64_t>& place_of) {
+    if (place_of.empty()) return slots;
+    for (std::int64_t& slot : slots) slot = place_of[slot];
+    return slots;
+  }
+  /// Who works the element has all corners of the face.
+  void share_forces() {
+    const auto share = [this](S* forces) { sharing_->share(rank_of_face_, reinterpret_cast<FaceForce*>(forces)); };
+    if constexpr (on_host<Space>) {
+      share(corner_force_.data());
+    } else {
+      std::vector<S> forces(corner_force_.size());
+      deep_copy(forces.data(), corner_force_);
+      share(forces.data());
+      deep_copy(corner_force_, forces.data(), forces.size());
+    }
+  }
   PressureForce<S> forces() const { return {nodes_.data(), force_.data()}; }
   std::int64_t node_count() const { return nodes_.size(); }
 

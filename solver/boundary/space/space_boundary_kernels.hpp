@@ -43,10 +43,7 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
     return std::make_unique<SpaceHeldNodes<S, Space>>(sharing_);
   }
   std::unique_ptr<PressureKernels<S>> pressure(const FaceList& faces) const override {
-    if (place_of_slot_.empty()) return std::make_unique<SpacePressure<S, Space>>(faces, sharing_);
-    FaceList there = faces;
-    for (std::int64_t& element : there.element) element = place_of_slot_[element];
-    return std::make_unique<SpacePressure<S, Space>>(there, sharing_);
+    return std::make_unique<SpacePressure<S, Space>>(faces, place_of_slot_, sharing_);
   }
   std::unique_ptr<WallKernels<S>> wall(bool rubs) const override {
     return std::make_unique<SpaceWall<S, Space>>(rubs, sharing_);

@@ -12,4 +12,14 @@ GpuReport gpu_report() {
   }
 }
 
+ChosenGpu choose_gpu(int number) {
+  try {
+    const int count = Gpu::count();
+    Gpu::choose(number % count);
+    return {"", number % count, count};
+  } catch (const GpuError& error) {
+    return {error.reason(), -1, 0};
+  }
+}
+
 }  // namespace pinball

@@ -3,6 +3,9 @@
 #define OMPI_SKIP_MPICXX
 #define MPICH_SKIP_MPICXX
 #include <mpi.h>
+#if defined(OPEN_MPI)
+#include <mpi-ext.h>
+#endif
 
 #include <algorithm>
 #include <cstdio>
@@ -46,6 +49,10 @@ class MpiRanks final : public Ranks {
     MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
     MPI_Comm_rank(MPI_COMM_WORLD, &number_);
     MPI_Comm_size(MPI_COMM_WORLD, &count_);
+    MPI_Comm machine = MPI_COMM_NULL;
+    MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, number_, MPI_INFO_NULL, &machine);
+    MPI_Comm_rank(machine, &number_on_machine_);
+    MPI_Comm_free(&machine);
   }
   /// Errors of messages end all ranks (MPI_ERRORS_ARE_FATAL, the default).
   ~MpiRanks() override {
@@ -55,6 +62,14 @@ class MpiRanks final : public Ranks {
   }
   int number() const override { return number_; }
   int count() const override { return count_; }
+  int number_on_machine() const override { return number_on_machine_; }
+  bool reaches_cuda() const override {
+#if defined(MPIX_CUDA_AWARE_SUPPORT) && MPIX_CUDA_AWARE_SUPPORT
+    return MPIX_Query_cuda_support() == 1;
+#else
+    return false;
+#endif
+  }
   std::uint64_t program() const override { return hash_of_program(); }
 
   void broadcast(std::span<std::byte> bytes) override { send_from(0, bytes); }
@@ -128,7 +143,7 @@ class MpiRanks final : public Ranks {
     }
   }
 
-  int number_ = 0, count_ = 1;
+  int number_ = 0, count_ = 1, number_on_machine_ = 0;
 };
 
 }  // namespace

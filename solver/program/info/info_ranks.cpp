@@ -45,7 +45,7 @@ std::vector<std::string> line_of(const Scene& scene, int count) {
 template <class S>
 void print_ranks(const Scene& scene, const std::vector<int>& counts) {
   fmt::print("on several processes (mpirun -n)\n");
-  const std::string missing = missing_on_ranks(scene);
+  const std::string missing = missing_on_ranks(scene, false);
   if (!missing.empty()) {
     fmt::print("  not yet, for its {}\n", missing);
     return;

@@ -134,7 +134,7 @@ TEST(PlantedFaults, MemoryThatNobodyHasSet) {
 
 TEST(PlantedFaults, AHostThatDoesNotWait) {
   for_shuffled_orders([](std::uint32_t seed) {
-    auto* const result = GpuScratch::result<std::int64_t>();
+    auto* const result = GpuScratch::results<std::int64_t>(1);
     *result = -1;
     launch("write", 1, &call_for_each<AllWriteOne>, 5, 6, AllWriteOne{result});
     EXPECT_EQ(*result, -1) << seed;
@@ -171,7 +171,7 @@ TEST(PlantedFaultsDeathTest, KernelsThatAreGivenAnAddressOfTheHost) {
   }
   const DeviceArray array(count);
   give(array.data() + count);
-  give(GpuScratch::result<std::int64_t>());
+  give(GpuScratch::results<std::int64_t>(1));
   give(nullptr);
 }
 
