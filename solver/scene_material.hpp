@@ -29,7 +29,7 @@ struct PowerHardeningSettings {
 };
 
 /// johnson_cook of a material (Johnson and Cook 1983, 1985): Y = (A + B e^n) (1 + C ln r) (1 - h^m), A its
-/// yield_stress.
+/// yield_stress; weakened by damage, (1 - w D) of it (kernels/material/johnson_cook.hpp).
 struct JohnsonCookSettings {
   double hardening_coefficient = 0.0;  ///< hardening_coefficient: B [stress]
   double hardening_exponent = 1.0;     ///< hardening_exponent: n [-]
@@ -41,6 +41,7 @@ struct JohnsonCookSettings {
   double specific_heat = 0.0;          ///< specific_heat; needed for softening and D5 [energy/(mass temperature)]
   double heat_share = 1.0;             ///< heat_share: part of the plastic work that heats [-]
   std::vector<double> failure;         ///< failure: D1 ... D5; none: it does not fail so [-]
+  double damage_weakening = 0.0;       ///< damage_weakening: part of Y that is lost at failure [-]
 
   bool operator==(const JohnsonCookSettings&) const = default;
 };

@@ -49,7 +49,10 @@ PINBALL_FUNCTION void yield_with_heat(const ElementConstants<ScalarOf<T>>& const
   const JohnsonCookConstants<ScalarOf<T>>& law = constants.johnson_cook;
   const MaterialPlaces& places = constants.places;
   const T temperature = places.temperature < 0 ? T(0) : numbers.get(places.temperature);
-  JohnsonCookYield<T> strength(constants.material, law, motion.deformation, motion.dt, plastic_strain, temperature);
+  const T damage_before = places.damage < 0 ? T(0) : numbers.get(places.damage);
+  const T hardened = places.hardening < 0 ? plastic_strain : numbers.get(places.hardening);
+  JohnsonCookYield<T> strength(constants.material, law, motion.deformation, motion.dt, hardened, temperature);
+  if (places.hardening >= 0) strength.weaken(damage_before);
   Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
   const Symmetric<T> trial = stress;
   const T strain_before = plastic_strain;
@@ -64,8 +67,8 @@ PINBALL_FUNCTION void yield_with_heat(const ElementConstants<ScalarOf<T>>& const
   }
   if (places.damage >= 0) {
     const T increment = plastic_strain - strain_before;
-    const T damage =
-        numbers.get(places.damage) + damage_increment(law, stress, increment, strength.rate(increment), temperature);
+    const T damage = damage_before + damage_increment(law, stress, increment, strength.rate(increment), temperature);
+    if (places.hardening >= 0) numbers.set(places.hardening, hardened + left_by(law, damage_before) * increment);
     numbers.set(places.damage, damage);
     outcome.failed = damage >= T(1);
   }

@@ -14,6 +14,13 @@
 ///
 /// an element fails at D = 1. It is heated by the plastic work, and none of the heat goes to its neighbours:
 /// rho c_p dT = chi s : de_p. Its strength in a step is that of the temperature at the beginning of it.
+///
+/// Damage may weaken it before that (Boervik, Hopperstad, Berstad and Langseth, Eur. J. Mech. A/Solids 20, 685-712,
+/// 2001, there with D from 0 to D_c and beta D_c = w; elasticity is not weakened here):
+///
+///     Y = (1 - w D) (A + B e_h^n) (1 + C ln r) (1 - h^m) ,   de_h = (1 - w D) de ,
+///
+/// with D as at the beginning of a step.
 namespace pinball {
 
 template <class S>
@@ -26,7 +33,8 @@ struct JohnsonCookConstants {
   S softening_exponent = S(1);          ///< m [-]
   S heating = S(0);                     ///< chi/c_p: of temperature per work [temperature mass/energy]
   StrainRateMeasure measure = StrainRateMeasure::total;
-  S failure[5] = {};  ///< D_1 ... D_5 [-]
+  S failure[5] = {};   ///< D_1 ... D_5 [-]
+  S weakening = S(0);  ///< w [-]
 };
 
 /// ln r.
@@ -41,6 +49,12 @@ PINBALL_FUNCTION T homologous(const JohnsonCookConstants<ScalarOf<T>>& law, cons
   return minimum(T(1), maximum(T(0), temperature * T(law.inverse_melting)));
 }
 
+/// 1 - w D: what damage leaves of the strength.
+template <class T>
+PINBALL_FUNCTION T left_by(const JohnsonCookConstants<ScalarOf<T>>& law, const T& damage) {
+  return T(1) - T(law.weakening) * minimum(T(1), damage);
+}
+
 /// Most tries of the equation for the increment of plastic strain; 2 are usual.
 inline constexpr int largest_johnson_cook_iterations = 60;
 
@@ -50,8 +64,8 @@ class JohnsonCookYield {
   using S = ScalarOf<T>;
 
  public:
-  /// deformation: rate of it in the step [1/time]; dt: its length; plastic_strain, temperature above that of the room:
-  /// at its beginning.
+  /// deformation: rate of it in the step [1/time]; dt: its length; plastic_strain, with which it hardens, and
+  /// temperature above that of the room: at its beginning.
   PINBALL_FUNCTION JohnsonCookYield(const MaterialConstants<S>& material, const JohnsonCookConstants<S>& law,
                                     const Symmetric<T>& deformation, S dt, const T& plastic_strain,
                                     const T& temperature)
@@ -75,6 +89,9 @@ class JohnsonCookYield {
   PINBALL_FUNCTION void apply_rate() {
     if (law_->rate_sensitivity > 0 && law_->measure != StrainRateMeasure::plastic) factor_ = factor_at(rate_);
   }
+
+  /// Takes damage into account.
+  PINBALL_FUNCTION void weaken(const T& damage) { softening_ = softening_ * left_by(*law_, damage); }
 
   /// Of a step in which the plastic strain grows so [1/time].
   PINBALL_FUNCTION T rate(const T& increment) const {

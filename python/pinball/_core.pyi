@@ -458,7 +458,7 @@ class PowerHardening:
 
 class JohnsonCook:
     """Strength and failure after Johnson and Cook."""
-    def __init__(self, *, hardening_coefficient: float = ..., hardening_exponent: float = ..., rate_coefficient: float = ..., reference_rate: float = ..., softening_exponent: float = ..., melting_temperature: float = ..., room_temperature: float = ..., specific_heat: float = ..., heat_share: float = ..., failure: Sequence[float] = ...) -> None: ...
+    def __init__(self, *, hardening_coefficient: float = ..., hardening_exponent: float = ..., rate_coefficient: float = ..., reference_rate: float = ..., softening_exponent: float = ..., melting_temperature: float = ..., room_temperature: float = ..., specific_heat: float = ..., heat_share: float = ..., failure: Sequence[float] = ..., damage_weakening: float = ...) -> None: ...
     hardening_coefficient: float
     """B [stress]"""
     hardening_exponent: float
@@ -479,6 +479,8 @@ class JohnsonCook:
     """part of the plastic work that heats [-]"""
     failure: Field[list[float], Sequence[float]]
     """[D1, D2, D3, D4, D5]: an element whose damage reaches 1 is eroded; empty: none [-]"""
+    damage_weakening: float
+    """w: part of the strength that is lost by then, in proportion to the damage [-]"""
 
 class MooneyRivlin:
     """Rubber after Mooney and Rivlin."""

@@ -25,10 +25,15 @@ double volume_ratio(const Model<S>& model, std::int64_t slot, double dt) {
 
 /// What a number of material_state is.
 const char* name_of(const MaterialPlaces& places, int number) {
-  return number == places.temperature ? "temperature"
-         : number == places.energy    ? "energy of the equation of state"
-         : number == places.damage    ? "damage"
-                                      : "back stress";
+  const auto is_of = [number](int place, int count) { return place >= 0 && number >= place && number < place + count; };
+  return is_of(places.temperature, 1)   ? "temperature"
+         : is_of(places.energy, 1)      ? "energy of the equation of state"
+         : is_of(places.damage, 1)      ? "damage"
+         : is_of(places.hardening, 1)   ? "strain of hardening"
+         : is_of(places.strain, 6)      ? "strain"
+         : is_of(places.deformation, 6) ? "deformation"
+         : is_of(places.gradient, 9)    ? "deformation gradient"
+                                        : "back stress";
 }
 
 /// What is not finite of the state of an element, or nothing.

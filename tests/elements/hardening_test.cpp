@@ -52,6 +52,13 @@ Material with_heat(StrainRate rate) {
   return m;
 }
 
+Material with_damage() {
+  Material m = with_heat(StrainRate::plastic);
+  m.johnson_cook->failure = {0.5, 1, -1.5, 0, 0};
+  m.johnson_cook->damage_weakening = 0.5;
+  return m;
+}
+
 std::vector<Material> materials() {
   return {steel(0),
           steel(0.5),
@@ -61,7 +68,8 @@ std::vector<Material> materials() {
           with_power(StrainRate::total),
           with_power(StrainRate::plastic),
           with_heat(StrainRate::deviatoric),
-          with_heat(StrainRate::plastic)};
+          with_heat(StrainRate::plastic),
+          with_damage()};
 }
 
 /// A bar that strikes a wall with its edge first: it yields, bends and springs back.

@@ -17,7 +17,7 @@ ElementConstants<double> constants_with(const FailureLimits<double>& limits) {
   c.specific_volume = 1.0 / 3;
   c.material.yield_stress = 1e6;
   c.johnson_cook.used = true;
-  c.places.damage = -1;
+  c.places.damage = c.places.hardening = -1;
   c.failure.limits = limits;
   c.failure.limits.any = true;
   return c;
@@ -171,7 +171,7 @@ TEST(ElementLimits, OfElasticMaterialsAreOnTheirStress) {
 TEST(ElementLimits, OfPacksAreThoseOfTheirLanes) {
   ElementScene scene = random_element_scene();
   scene.constants.johnson_cook.used = true;
-  scene.constants.places.damage = -1;
+  scene.constants.places.damage = scene.constants.places.hardening = -1;
   scene.time = 1;
   Random random(7);
   for (ElementState& state : scene.element) {

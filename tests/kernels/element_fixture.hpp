@@ -7,15 +7,16 @@
 namespace pinball::test {
 
 /// All that a material may keep, in this order.
-inline constexpr int material_numbers = 29;
+inline constexpr int material_numbers = 30;
 inline constexpr MaterialPlaces material_places{.back_stress = 0,
                                                 .temperature = 5,
                                                 .energy = 6,
                                                 .damage = 7,
+                                                .hardening = 29,
                                                 .strain = 8,
                                                 .deformation = 14,
                                                 .gradient = 20,
-                                                .numbers = 29};
+                                                .numbers = 30};
 
 struct ElementState {
   double mass = 0;

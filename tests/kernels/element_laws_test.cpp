@@ -18,6 +18,7 @@ ElementScene scene_of_laws(StrainRateMeasure measure) {
     state.material[material_places.temperature] = uniform(random, 0, 300);
     state.material[material_places.energy] = uniform(random, -1, 5);
     state.material[material_places.damage] = uniform(random, 0, 1);
+    state.material[material_places.hardening] = uniform(random, 0, 0.5);
   }
   ElementConstants<double>& c = scene.constants;
   JohnsonCookConstants<double>& law = c.johnson_cook;
@@ -26,6 +27,7 @@ ElementScene scene_of_laws(StrainRateMeasure measure) {
   law.inverse_melting = 1e-3, law.softening_exponent = 1.1, law.heating = 2;
   const double d[5] = {0.05, 0.3, -1.5, 0.01, 0.5};
   std::copy(d, d + 5, law.failure);
+  law.weakening = 0.3;
   EquationOfState<double>& eos = c.pressure;
   eos.law = PressureLaw::mie_grueneisen;
   eos.modulus = c.material.lambda + 2 * c.material.mu / 3;
@@ -135,7 +137,7 @@ ElementConstants<double> with_equation_of_state() {
 /// A law with a constant yield stress needs no curve of the general kernel.
 void use_constant_strength(ElementConstants<double>& c) {
   c.johnson_cook.used = true;
-  c.places.damage = -1;
+  c.places.damage = c.places.hardening = -1;
 }
 
 TEST(EquationOfStateOfElements, KeepsAllWorkAsEnergyAndFollowsItsCurve) {
@@ -300,7 +302,7 @@ TEST(JohnsonCookOfElements, IsHeatedByPlasticWorkAndSoftens) {
   law.hardening = 0.6, law.exponent = 0.4, law.rate_sensitivity = 0.05, law.inverse_rate = 1 / 0.01;
   law.inverse_melting = 1.0 / 1000, law.softening_exponent = 1.2, law.heating = 900;  // chi/c_p
   law.measure = StrainRateMeasure::plastic;
-  c.places.damage = -1;
+  c.places.damage = c.places.hardening = -1;
   const double rate = 2, dt = 1e-4;
   StrainedCube cube(c);
   for (int i = 0; i < 5000; ++i) cube.strain({0, 0, 0}, rate, dt);
@@ -326,6 +328,27 @@ TEST(JohnsonCookOfElements, IsHeatedByPlasticWorkAndSoftens) {
   EXPECT_NEAR(cube.state().temperature(), heat, 3e-3 * heat);
   EXPECT_GT(heat, 100);
   EXPECT_NEAR(found, elastic, 5e-3 * elastic);
+}
+
+/// Without heat and rates, in pure shear: D = e/e_f, and e_h = e - w e^2/(2 e_f).
+TEST(JohnsonCookOfElements, IsWeakenedByDamage) {
+  ElementConstants<double> c = element_constants();
+  c.specific_volume = 1.0 / 3;
+  c.material.yield_stress = 0.8;
+  JohnsonCookConstants<double>& law = c.johnson_cook;
+  law.used = true;
+  law.hardening = 0.6, law.exponent = 0.4;
+  law.failure[0] = 0.2, law.failure[1] = 0.4, law.weakening = 0.3;  // e_f = 0.6
+  StrainedCube cube(c);
+  for (int i = 0; i < 5000; ++i) cube.strain({0, 0, 0}, 2, 1e-4);
+  ASSERT_EQ(cube.eroded(), 0);
+  const double e = cube.state().plastic_strain, r = e - 0.3 * e * e / (2 * 0.6);
+  EXPECT_GT(e, 0.5);
+  EXPECT_NEAR(cube.state().damage(), e / 0.6, 1e-3);
+  EXPECT_NEAR(cube.state().material[material_places.hardening], r, 2e-4 * r);
+  const double found = std::sqrt(3.0) * std::hypot(cube.state().stress.xy, 0.5 * cube.state().stress.xx);
+  const double strength = (1 - 0.3 * e / 0.6) * (0.8 + 0.6 * std::pow(r, 0.4));
+  EXPECT_NEAR(found, strength, 2e-4 * strength);
 }
 
 TEST(JohnsonCookOfElements, FailsWhenItsDamageIsOne) {

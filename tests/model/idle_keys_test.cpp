@@ -66,6 +66,7 @@ TEST(IdleKeys, OfTablesWithinTablesHaveTheirNames) {
   Scene scene = two_blocks();
   scene.materials[1].johnson_cook = JohnsonCookSettings{};
   scene.materials[1].johnson_cook->softening_exponent = 2;
+  scene.materials[1].johnson_cook->damage_weakening = 0.3;
   scene.materials[1].plastic_modulus = 0;
   scene.probes.resize(1);
   scene.fixed_constraints.resize(1);
@@ -73,6 +74,7 @@ TEST(IdleKeys, OfTablesWithinTablesHaveTheirNames) {
   scene.fixed_constraints[0].nodes.tolerance = 0.1;
   EXPECT_THAT(idle(scene),
               ElementsAre("material.copper: johnson_cook.softening_exponent is not used without melting_temperature",
+                          "material.copper: johnson_cook.damage_weakening is not used without failure",
                           "constraint.0: tolerance is not used without plane, line or box"));
 }
 

@@ -33,11 +33,12 @@ TEST_F(MaterialLawsScene, ReadsJohnsonAndCook) {
                                    "johnson_cook = { hardening_coefficient = 2.9e8, hardening_exponent = 0.31, "
                                    "rate_coefficient = 0.025, reference_rate = 1.0, softening_exponent = 1.09, "
                                    "melting_temperature = 1356, room_temperature = 298, specific_heat = 383, "
-                                   "heat_share = 0.9, failure = [0.54, 4.89, -3.03, 0.014, 1.12] }"))
+                                   "heat_share = 0.9, failure = [0.54, 4.89, -3.03, 0.014, 1.12], "
+                                   "damage_weakening = 0.25 }"))
                          .materials.at(0);
   ASSERT_TRUE(m.johnson_cook);
-  const JohnsonCookSettings expected{2.9e8, 0.31, 0.025, 1.0, 1.09,
-                                     1356,  298,  383,   0.9, {0.54, 4.89, -3.03, 0.014, 1.12}};
+  const JohnsonCookSettings expected{
+      2.9e8, 0.31, 0.025, 1.0, 1.09, 1356, 298, 383, 0.9, {0.54, 4.89, -3.03, 0.014, 1.12}, 0.25};
   EXPECT_EQ(*m.johnson_cook, expected);
   EXPECT_EQ(m.yield_stress, 4e8);
   EXPECT_TRUE(erodes(m));
@@ -180,6 +181,7 @@ TEST_F(MaterialLawsScene, RefusesLawsThatLackSomething) {
               HasSubstr("johnson_cook.specific_heat: expected a number > 0 beside melting_temperature"));
   EXPECT_THAT(problem_of_law("failure = [1, 2]"),
               HasSubstr("johnson_cook.failure: expected five numbers, D1 to D5, got 2"));
+  EXPECT_THAT(problem_of_law("failure = [1, 0, 0, 0, 0], damage_weakening = 1.5"), HasSubstr("damage_weakening"));
   EXPECT_THAT(problem_of_law("failure = [-1, 0.5, 0, 0, 0]"), HasSubstr("expected D1 + D2 > 0"));
   EXPECT_THAT(problem_of_law("failure = [1, 0, 0, 0.1, 0]"),
               HasSubstr("johnson_cook.reference_rate: expected a number > 0 beside D4"));

@@ -31,6 +31,7 @@ JohnsonCookConstants<S> johnson_cook_constants(const Material& material) {
   law.measure = strain_rate_measure(material.strain_rate);
   std::transform(given.failure.begin(), given.failure.end(), law.failure,
                  [](double one) { return static_cast<S>(one); });
+  law.weakening = static_cast<S>(given.damage_weakening);
   return law;
 }
 
@@ -153,6 +154,7 @@ MaterialPlaces material_places(const Material& material) {
   if (const auto& law = material.johnson_cook) {
     if (law->specific_heat > 0) keep(places.temperature, 1);
     if (!law->failure.empty()) keep(places.damage, 1);
+    if (!law->failure.empty() && law->damage_weakening > 0) keep(places.hardening, 1);
   }
   if (material.equation_of_state) keep(places.energy, 1);
   return places;

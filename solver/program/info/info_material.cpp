@@ -67,7 +67,9 @@ void print_johnson_cook(const Material& m, const Units& units) {
   fmt::print("\n");
   if (law.failure.empty()) return;
   const auto& d = law.failure;
-  fmt::print("    failure: D1 to D5 {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}\n", d[0], d[1], d[2], d[3], d[4]);
+  fmt::print("    failure: D1 to D5 {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}", d[0], d[1], d[2], d[3], d[4]);
+  if (law.damage_weakening > 0) fmt::print(", weaker by {:.4g} until then", law.damage_weakening);
+  fmt::print("\n");
 }
 
 void print_equation_of_state(const EquationOfStateSettings& eos, const Units& units) {

@@ -92,6 +92,11 @@ constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
             &T::failure,
             "`[D1, D2, D3, D4, D5]`: an element whose damage reaches 1 is eroded",
             {.unit = "-", .otherwise = "none"}});
+  visit(Key{"damage_weakening",
+            &T::damage_weakening,
+            "w: part of the strength that is lost by then, in proportion to the damage",
+            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}}
+            .idle_where([](const T& law, const Scene&) { return law.failure.empty(); }, "without failure"));
 }
 
 template <class Visit>

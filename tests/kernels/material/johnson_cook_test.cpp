@@ -62,6 +62,16 @@ TEST(JohnsonCook, ReturnsToTheStrengthOfTheEnd) {
   }
 }
 
+TEST(JohnsonCook, IsWeakenedInProportionToItsDamage) {
+  JohnsonCookConstants<double> constants_of_law = steel(StrainRateMeasure::total);
+  constants_of_law.weakening = 0.3;
+  for (const double damage : {0.0, 0.5, 1.0, 2.0}) {
+    JohnsonCookYield<double> law(constants(), constants_of_law, shearing(0), 1e-7, 0.1, 200.0);
+    law.weaken(damage);
+    EXPECT_NEAR(law.yield_stress(0.1), (1 - 0.3 * std::min(1.0, damage)) * strength(0.1, 1, 200), 1e-10);
+  }
+}
+
 TEST(JohnsonCook, HasNoStrengthWhereItHasMelted) {
   const JohnsonCookConstants<double> constants_of_law = steel(StrainRateMeasure::total);
   JohnsonCookYield<double> law(constants(), constants_of_law, shearing(1), 1e-7, 0.1, 1600.0);
