@@ -41,6 +41,46 @@ PINBALL_FUNCTION void face_weights_at(const T& xi, const T& eta, T (&weight)[4])
   weight[3] = quarter * (T(1) - xi) * (T(1) + eta);
 }
 
+/// The foot on a triangle, a face with two corners of a side in one place, in closed form; none on other faces.
+/// Newton's iteration may go round in circles there, for a node above the middle of a side, say, and where the two
+/// corners are the face has no tangents. With the shares a and b that the corners across have of the foot, the
+/// coordinate away from the two is 2 (a + b) - 1, and the other one (b - a)/(a + b).
+template <class T>
+PINBALL_FUNCTION FaceProjection<T> foot_on_triangle(const Vec3<T> (&x)[4], const Vec3<T>& node) {
+  const T zero(0), one(1), none = number<T>(INFINITY);
+  const auto within = [](const T& at, const T& end) { return maximum(T(0) - end, minimum(end, at)); };
+  FaceProjection<T> foot;
+  foot.normal = {zero, zero, zero};
+  T outside = none;
+  for (int k = 0; k < 4; ++k) {
+    const Vec3<T> side = x[(k + 1) % 4] - x[k], to = node - x[k];
+    const Vec3<T> to_a = x[(k + 2) % 4] - x[k], to_b = x[(k + 3) % 4] - x[k], area = cross(to_a, to_b);
+    const T square = dot(area, area), inverse = one / square;
+    const auto here = dot(side, side) <= zero && square > zero;
+    const T a = inverse * dot(cross(to, to_b), area), b = inverse * dot(cross(to_a, to), area), across = a + b;
+    // if (the foot is where the two corners are) in the middle of these
+    const T between = select(absolute(across) > zero, (b - a) / across, zero);
+    const T along = within(k < 2 ? T(0) - between : between, number<T>(3));
+    const T away = within(k % 3 == 0 ? T(2) * across - one : one - T(2) * across, number<T>(3));
+    const T xi = k % 2 == 0 ? along : away, eta = k % 2 == 0 ? away : along;
+    const T inner_xi = within(xi, one), inner_eta = within(eta, one);
+    const Vec3<T> normal = (one / square_root(square)) * area;
+    const Vec3<T> beyond =
+        (xi - inner_xi) * face_tangent(x, 0, inner_eta) + (eta - inner_eta) * face_tangent(x, 1, inner_xi);
+    T weight[4];
+    face_weights_at(inner_xi, inner_eta, weight);
+    foot.xi = select(here, xi, foot.xi);
+    foot.eta = select(here, eta, foot.eta);
+    for (int i = 0; i < 4; ++i) foot.weight[i] = select(here, weight[i], foot.weight[i]);
+    foot.normal = select(here, normal, foot.normal);
+    foot.gap = select(here, dot(to, normal), foot.gap);
+    outside = select(here, square_root(dot(beyond, beyond)), outside);
+  }
+  // if (the gap or the way is not a number) none
+  foot.outside = select(outside < none && absolute(foot.gap) < none, outside, none);
+  return foot;
+}
+
 /// x: corners of the face; node: the point to project; xi, eta: where the iteration begins.
 template <class S>
 PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], const Vec3<S>& node, S xi, S eta) {
@@ -66,7 +106,7 @@ PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], cons
       a12 = gauss_newton;
       determinant = a11 * a22 - a12 * a12;
     }
-    if (!(determinant > S(0))) return result;
+    if (!(determinant > S(0))) return foot_on_triangle(x, node);
     const S r1 = dot(d, t1), r2 = dot(d, t2);
     const S change_xi = (a22 * r1 - a12 * r2) / determinant, change_eta = (a11 * r2 - a12 * r1) / determinant;
     const S next_xi = maximum(-far, minimum(far, xi + change_xi));
@@ -75,20 +115,31 @@ PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], cons
     xi = next_xi;
     eta = next_eta;
   }
-  if (!found) return result;
+  if (!found) return foot_on_triangle(x, node);
   result.xi = xi;
   result.eta = eta;
   const S inner_xi = maximum(S(-1), minimum(S(1), xi)), inner_eta = maximum(S(-1), minimum(S(1), eta));
   const Vec3<S> t1 = face_tangent(x, 0, inner_eta), t2 = face_tangent(x, 1, inner_xi);
   const Vec3<S> area = cross(t1, t2);
   const S size = square_root(dot(area, area));
-  if (!(size > S(0))) return result;
+  if (!(size > S(0))) return foot_on_triangle(x, node);
   result.normal = (S(1) / size) * area;
   face_weights_at(inner_xi, inner_eta, result.weight);
   result.gap = S(0) - dot(from_node(result.weight), result.normal);
   const Vec3<S> beyond = (xi - inner_xi) * t1 + (eta - inner_eta) * t2;
   result.outside = square_root(dot(beyond, beyond));
   return result;
+}
+
+/// Takes another foot in the lanes of a mask.
+template <class M, class T>
+PINBALL_FUNCTION void replace_foot(const M& where, const FaceProjection<T>& other, FaceProjection<T>& foot) {
+  foot.xi = select(where, other.xi, foot.xi);
+  foot.eta = select(where, other.eta, foot.eta);
+  for (int k = 0; k < 4; ++k) foot.weight[k] = select(where, other.weight[k], foot.weight[k]);
+  foot.normal = select(where, other.normal, foot.normal);
+  foot.gap = select(where, other.gap, foot.gap);
+  foot.outside = select(where, other.outside, foot.outside);
 }
 
 /// The same for a pack of faces and nodes, from the middle: the lanes whose feet are found wait for the others, so that
@@ -133,9 +184,11 @@ PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec
   result.gap = T(0) - dot(from_node(result.weight), result.normal);
   const Vec3<T> beyond = (xi - inner_xi) * t1 + (eta - inner_eta) * t2;
   const T outside = square_root(dot(beyond, beyond));
-  // if (it has not ended, or the gap or the way is not a number) none
+  // if (it has not ended, or the gap or the way is not a number) that on a triangle, or none
   const T none = number<T>(INFINITY);
-  result.outside = select(!going && outside < none && absolute(result.gap) < none, outside, none);
+  const auto found = !going && outside < none && absolute(result.gap) < none;
+  result.outside = select(found, outside, none);
+  if (any_lane(!found)) replace_foot(!found, foot_on_triangle(x, node), result);
   return result;
 }
 
@@ -161,17 +214,13 @@ PINBALL_FUNCTION void move_to_nearest_side(const Vec3<T> (&x)[4], const Vec3<T>&
   const T xi = select(on_eta_side, near_xi, side_xi), eta = select(on_eta_side, side_eta, near_eta);
   const Vec3<T> area = cross(face_tangent(x, 0, eta), face_tangent(x, 1, xi));
   const T size = square_root(dot(area, area)), inverse = one / size;
-  const Vec3<T> normal = inverse * area, to = from_node(xi, eta);
+  // if (two corners are one there) the normal of the triangle
+  const Vec3<T> normal = select(size > T(0), inverse * area, foot.normal), to = from_node(xi, eta);
   const T gap = T(0) - dot(to, normal);
   const Vec3<T> beside = to + gap * normal;
-  T weight[4];
-  face_weights_at(xi, eta, weight);
-  for (int k = 0; k < 4; ++k) foot.weight[k] = select(moves, weight[k], foot.weight[k]);
-  foot.normal.x = select(moves, normal.x, foot.normal.x);
-  foot.normal.y = select(moves, normal.y, foot.normal.y);
-  foot.normal.z = select(moves, normal.z, foot.normal.z);
-  foot.gap = select(moves, gap, foot.gap);
-  foot.outside = select(moves, square_root(dot(beside, beside)), foot.outside);
+  FaceProjection<T> moved{foot.xi, foot.eta, {}, normal, gap, square_root(dot(beside, beside))};
+  face_weights_at(xi, eta, moved.weight);
+  replace_foot(moves, moved, foot);
   // if (the face is flat to nothing there) none
   foot.outside = select(foot.outside < none && absolute(foot.gap) < none, foot.outside, none);
 }

@@ -17,6 +17,8 @@ V point_of(const V (&x)[4], double xi, double eta) {
   return w[0] * x[0] + w[1] * x[1] + w[2] * x[2] + w[3] * x[3];
 }
 
+V point_at(const V (&x)[4], const double (&w)[4]) { return w[0] * x[0] + w[1] * x[1] + w[2] * x[2] + w[3] * x[3]; }
+
 double distance(const V& a, const V& b) { return std::sqrt(dot(a - b, a - b)); }
 
 /// A face of size h, warped and distorted at random.
@@ -148,6 +150,70 @@ TEST(FaceProjection, ATriangleIsAFaceToo) {
   const FaceProjection<double> p = project_onto_face(x, V{0.25, 0.25, 0.1}, 0.0, 0.0);
   EXPECT_EQ(p.outside, 0);
   EXPECT_NEAR(p.gap, 0.1, 1e-14);
+}
+
+/// A triangle with the two corners in one place that end and begin side k, and its other corners.
+struct Triangle {
+  V corner[4];
+  V twice, first, second;
+};
+
+Triangle random_triangle(std::mt19937& generator, int k) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  V x[4];
+  random_face(generator, 0.2, x);
+  x[(k + 1) % 4] = x[k];
+  return {{x[0], x[1], x[2], x[3]}, x[k], x[(k + 2) % 4], x[(k + 3) % 4]};
+}
+
+/// Points of a triangle at which Newton's iteration goes round in circles or has no tangents, and some at random.
+std::vector<V> points_of(const Triangle& t, std::mt19937& generator) {
+  const V middle = (1 / 3.0) * (t.twice + t.first + t.second);
+  std::vector<V> points = {t.twice, t.first, t.second, middle};
+  for (const double part : {0.25, 0.5, 0.75}) {
+    points.push_back(part * t.twice + (1 - part) * t.first);
+    points.push_back(part * t.first + (1 - part) * t.second);
+    points.push_back(part * t.second + (1 - part) * t.twice);
+  }
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int n = 0; n < 200; ++n) {
+    const double a = uniform(generator), b = (1 - a) * uniform(generator);
+    points.push_back(a * t.twice + b * t.first + (1 - a - b) * t.second);
+  }
+  return points;
+}
+
+TEST(FaceProjection, EachPointOfATriangleHasItsFootWhicheverCornersAreOne) {
+  std::mt19937 generator(29);
+  for (int n = 0; n < 80; ++n) {
+    const Triangle t = random_triangle(generator, n % 4);
+    const V area = cross(t.first - t.twice, t.second - t.twice), normal = (1 / std::sqrt(dot(area, area))) * area;
+    for (const V& point : points_of(t, generator)) {
+      for (const double gap : {-0.1, 0.0, 0.3}) {
+        const V node = point + gap * normal;
+        FaceProjection<double> packed = foot_on_face(t.corner, node);
+        move_to_nearest_side(t.corner, node, packed);
+        for (const FaceProjection<double>& p : {project_onto_face(t.corner, node, 0.0, 0.0), packed}) {
+          ASSERT_LT(p.outside, 1e-7);
+          EXPECT_NEAR(p.gap, gap, 1e-8);
+          EXPECT_NEAR(distance(p.normal, normal), 0, 1e-8);
+          EXPECT_NEAR(distance(point_at(t.corner, p.weight), point), 0, 1e-7);
+        }
+      }
+    }
+  }
+}
+
+TEST(FaceProjection, BeyondTheCornerThatATriangleHasTwiceItIsTheFoot) {
+  std::mt19937 generator(31);
+  for (int n = 0; n < 80; ++n) {
+    const Triangle t = random_triangle(generator, n % 4);
+    const V node = t.twice + 0.1 * (t.twice - 0.5 * (t.first + t.second));
+    FaceProjection<double> foot = foot_on_face(t.corner, node);
+    move_to_nearest_side(t.corner, node, foot);
+    EXPECT_NEAR(foot.outside, distance(node, t.twice), 1e-9);
+    EXPECT_NEAR(distance(point_at(t.corner, foot.weight), t.twice), 0, 1e-9);
+  }
 }
 
 TEST(FaceProjection, AFaceWithoutAreaHasNoFoot) {

@@ -84,6 +84,16 @@ TEST(InitialOverlaps, NameTheDeepestNodeAndItsDepth) {
   }
 }
 
+/// The sides of triangles have nodes of the other body in their middle.
+TEST(InitialOverlaps, AreNoneWhereTetrahedraTouchAFinerMesh) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 1, {0, 0, 0}), block("b", {4, 4, 4}, 0.5, {0, 0, 2})}, 1);
+  for (const bool finer : {false, true}) {
+    scene.bodies[0].elements = ElementShape::tetrahedra;
+    scene.bodies[1].elements = finer ? ElementShape::tetrahedra : ElementShape::hexahedra;
+    EXPECT_TRUE(overlaps(scene).empty()) << finer;
+  }
+}
+
 TEST(InitialOverlaps, HaveOnePairOfBodiesAfterTheOther) {
   Scene scene = two_blocks({0, 0, 1.9});
   scene.bodies.push_back(block("c", {2, 2, 2}, 1, {0, 0, 3.7}));
