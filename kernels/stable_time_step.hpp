@@ -25,7 +25,7 @@ namespace pinball {
 /// two smaller values are equal (cube, flat element) or rho = -1/2; the largest excess, 9.5 % of the value, is where
 /// the two larger ones are equal and the third vanishes (a long rod).
 template <class T>
-PINBALL_FUNCTION T largest_principal_value(const Symmetric<T>& s) {
+PINBALL_FUNCTION T bounded_principal_value(const Symmetric<T>& s) {
   const T mean = number<T>(1.0 / 3.0) * trace(s);
   const T xx = s.xx - mean, yy = s.yy - mean, zz = s.zz - mean;
   const T j2 = number<T>(0.5) * (xx * xx + yy * yy + zz * zz) + s.xy * s.xy + s.yz * s.yz + s.zx * s.zx;
@@ -37,6 +37,18 @@ PINBALL_FUNCTION T largest_principal_value(const Symmetric<T>& s) {
   const T at_one = number<T>(16.0 / 9.0) * q + number<T>(1.0 / 9.0) * quotient;
   const T at_minus_half = number<T>(1.7794979525608) * q + number<T>(0.2474090663229) * quotient;
   return mean + minimum(at_one, at_minus_half);
+}
+
+/// The same for tensors of any size. J3 has the power 12 of a length where S_ij has the power 4: in single precision it
+/// is nothing for elements of a millimetre in metres, and beyond all numbers for such of two kilometres.
+template <class T>
+PINBALL_FUNCTION T largest_principal_value(const Symmetric<T>& s) {
+  if constexpr (sizeof(ScalarOf<T>) == sizeof(double)) {
+    return bounded_principal_value(s);
+  } else {
+    const T sum = trace(s), size = select(sum > T(0), sum, T(1));
+    return size * bounded_principal_value((T(1) / size) * s);
+  }
 }
 
 /// Rate 2/dt of the largest stable step dt of one element [1/time]: d/2 + sqrt(d^2/4 + omega^2).

@@ -1,4 +1,5 @@
 #include <Eigen/Dense>
+#include <array>
 
 #include <kernels/assumed_strain.hpp>
 #include <kernels/hourglass.hpp>
@@ -47,6 +48,21 @@ TEST(LargestPrincipalValue, IsABoundForDegenerateTensors) {
     }
   }
   EXPECT_NEAR(largest_principal_value(Symmetric<double>{1, 1, 1, 0, 0, 0}), 1, 1e-3);  // a cube
+}
+
+/// S_ij of an element of length h has the size h^4: 1e-12 of a millimetre in metres.
+TEST(LargestPrincipalValue, OfSinglePrecisionIsTheSameForElementsOfAnySize) {
+  Random random(43);
+  for (const float size : {1e-24F, 1e-18F, 1e-12F, 1e-6F, 1.0F, 1e12F, 1e24F}) {
+    for (const auto& v : {std::array{1.0, 1.0, 1.0}, std::array{1.0, 0.01, 1e-4}, std::array{1.0, 0.3, 0.2},
+                          std::array{1.0, 1.0, 0.1}}) {
+      const Tensor<double> r = rotation_matrix(random_direction(random), uniform(random, 0, 6));
+      const Symmetric<double> s = with_principal_values(v[0], v[1], v[2], r);
+      const auto part = [size](double value) { return static_cast<float>(value) * size; };
+      const Symmetric<float> single{part(s.xx), part(s.yy), part(s.zz), part(s.xy), part(s.yz), part(s.zx)};
+      EXPECT_NEAR(largest_principal_value(single) / size, largest_principal_value(s), 1e-4) << size << ' ' << v[1];
+    }
+  }
 }
 
 /// Independent implementation: largest eigenvalue of the 24 x 24 stiffness over the lumped mass, omega^2.
