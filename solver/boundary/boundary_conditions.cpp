@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <solver/model/selection/node_selection.hpp>
+
+#include "force_factor.hpp"
 
 namespace pinball {
 
@@ -71,10 +74,10 @@ void BoundaryConditions<S>::set_present(Model<S>& model, double time) {
 }
 
 template <class S>
-void BoundaryConditions<S>::persist(StateArchive& archive, Model<S>& model, double time) {
+void BoundaryConditions<S>::persist(StateArchive& archive, Model<S>& model) {
   archive(done_, last_, changed_);
   std::vector<Point> forces;
-  if (!archive.reads()) forces = named_forces(model, time);
+  if (!archive.reads()) forces = named_forces(model);
   archive(forces);
   archive.require(forces.size() == named_.names().size());
   if (archive.reads()) forces_read_ = std::move(forces);
@@ -94,17 +97,22 @@ void BoundaryConditions<S>::take_constraints(const Model<S>& model) {
 }
 
 template <class S>
-void BoundaryConditions<S>::add_loads(const NodeArrays<S>& nodes, double time) {
+void BoundaryConditions<S>::add_loads(const NodeArrays<S>& nodes, double time, const StepLengths& step,
+                                      bool ends_cycle) {
   forces_read_.reset();
+  if (std::exchange(cycle_ends_, ends_cycle)) {
+    steps_before_ = 0;
+    forces_before_.assign(named_.names().size(), Point{});
+  }
   for (const Load& load : loads_) {
-    const double factor = load.given.table.value(time);
+    const double factor = force_factor(load.given.table, time, step);
     Point present{};
     for (std::size_t k = 0; k < 3; ++k) present[k] = factor * load.given.force[k];
     load.nodes->add(nodes, present);
   }
   if (of_host_) of_host_->add(nodes);
-  if (pressures_.any()) pressures_.apply(nodes, time);
-  gravity_.apply(nodes, time);
+  if (pressures_.any()) pressures_.apply(nodes, time, step);
+  gravity_.apply(nodes, time, step);
   if (damping_) damping_->add(nodes);
   if (prescribes_ || (constrains_ && named_.of_constraints())) held_->clear_forces();
 }
@@ -112,6 +120,10 @@ void BoundaryConditions<S>::add_loads(const NodeArrays<S>& nodes, double time) {
 template <class S>
 void BoundaryConditions<S>::add_wall_reactions(const NodeArrays<S>& nodes, double time, const StepLengths& step) {
   if (walls_.any()) walls_.apply(nodes, time, step);
+  if (named_.any() && !cycle_ends_) {
+    add_held_forces(forces_before_);
+    ++steps_before_;
+  }
   if (!acts_) return;
   done_ += last_.now + last_.later;
   last_ = work_of_step(nodes, step);

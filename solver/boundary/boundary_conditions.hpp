@@ -40,8 +40,9 @@ class BoundaryConditions {
   bool follow(Model<S>& model, const NodeArrays<S>& nodes, double time, const StepLengths& step);
   /// Whether follow() has anything to do.
   bool changes(double time) const { return past(time) != changed_; }
-  /// Adds loads and damping to the forces of the nodes.
-  void add_loads(const NodeArrays<S>& nodes, double time);
+  /// Adds loads and damping to the forces of the nodes. ends_cycle: all elements are updated in this step, and what
+  /// comes next belongs to another cycle.
+  void add_loads(const NodeArrays<S>& nodes, double time, const StepLengths& step, bool ends_cycle = true);
   /// Whether hold() has anything to do at present.
   bool holds() const { return constrains_ || prescribes_; }
   /// Constraints and prescribed velocities: changes forces and, in constrained directions, velocities; once more where
@@ -61,9 +62,8 @@ class BoundaryConditions {
   /// Forces that a host adds in every step, in records of four like those of the nodes; zero at first, and then what
   /// the host writes. They are no part of the state that is saved.
   Array<S>& host_forces(const Model<S>& model);
-  /// Reading gives the model the constraints and prescribed velocities of the state, which are no part of it. time: of
-  /// the forces, where it writes.
-  void persist(StateArchive& archive, Model<S>& model, double time);
+  /// Reading gives the model the constraints and prescribed velocities of the state, which are no part of it.
+  void persist(StateArchive& archive, Model<S>& model);
   const std::vector<WallResult>& walls() const { return walls_.results(); }
   /// Largest change of velocity that nodes undergo at once: at the start by what moves or holds them; by a wall in the
   /// two steps after `time`, and by what moves them in these or in the step just made [length/time].
@@ -73,8 +73,9 @@ class BoundaryConditions {
   }
   std::vector<PressureResult> pressures() const { return pressures_.results(); }
   /// What constraints, prescribed velocities and accelerations with a name exert on the nodes in the step just made, by
-  /// name; time: of the forces.
-  std::vector<ForceResult> forces(const Model<S>& model, double time) const;
+  /// name; of the first two the mean over the steps of the cycle, in one of which a large element gives the impulse of
+  /// many.
+  std::vector<ForceResult> forces(const Model<S>& model) const;
   const std::vector<std::string>& force_names() const { return named_.names(); }
   std::size_t bytes() const;
 
@@ -83,7 +84,9 @@ class BoundaryConditions {
     NodalLoad given;
     std::unique_ptr<NodeForceKernels<S>> nodes;
   };
-  std::vector<Point> named_forces(const Model<S>& model, double time) const;
+  std::vector<Point> named_forces(const Model<S>& model) const;
+  /// Adds those of constraints and prescribed velocities in the step just made.
+  void add_held_forces(std::vector<Point>& sums) const;
   static Load load_of(const Model<S>& model, const NodalLoad& given, const BoundaryKernels<S>& kernels);
   void find_changes(const Scene& scene);
   void set_present(Model<S>& model, double time);
@@ -102,6 +105,9 @@ class BoundaryConditions {
   std::unique_ptr<NodeForceKernels<S>> damping_;  ///< null: there is none
   NamedForces named_;
   std::optional<std::vector<Point>> forces_read_;  ///< with a state, up to its next step: by name [force]
+  bool cycle_ends_ = true;                         ///< with the step just made
+  std::int32_t steps_before_ = 0;                  ///< it, in its cycle
+  std::vector<Point> forces_before_;               ///< sums over these: by name [force]
   GravityLoads<S> gravity_;
   PrescribedMotions motions_;
   std::unique_ptr<HeldNodeKernels<S>> held_;

@@ -4,6 +4,8 @@
 
 #include <solver/model/selection/pressed_faces.hpp>
 
+#include "force_factor.hpp"
+
 namespace pinball {
 
 namespace {
@@ -44,11 +46,10 @@ FacePressures<S>::FacePressures(const Model<S>& model, const BoundaryKernels<S>&
 }
 
 template <class S>
-void FacePressures<S>::apply(const NodeArrays<S>& nodes, double time) {
+void FacePressures<S>::apply(const NodeArrays<S>& nodes, double time, const StepLengths& step) {
   for (Load& load : loads_) {
     const Pressure& given = load.given;
-    const double factor = time >= given.start || given.start <= 0 ? given.table.value(time - given.start) : 0.0;
-    const auto pressure = static_cast<S>(factor * given.pressure);
+    const auto pressure = static_cast<S>(force_factor(given.table, given.start, time, step) * given.pressure);
     load.acts = pressure != S(0);
     load.force_read.reset();
     if (load.acts) load.faces->add(nodes, pressure);

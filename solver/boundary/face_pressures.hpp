@@ -24,7 +24,7 @@ class FacePressures {
 
   /// Adds the forces of the present places to those of the nodes, but for faces of eroded elements; time: of the
   /// forces.
-  void apply(const NodeArrays<S>& nodes, double time);
+  void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step);
   /// Work of the forces that apply() has added; to be called when all forces are known.
   ExternalWork work(const NodeArrays<S>& nodes, const StepLengths& step);
 

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "force_factor.hpp"
+
 namespace pinball {
 
 template <class S>
@@ -11,6 +13,7 @@ GravityLoads<S>::GravityLoads(const Model<S>& model, const BoundaryKernels<S>& k
   for (const Gravity& given : model.scene.gravities) {
     if (given.bodies.empty()) {
       of_all_.push_back(given);
+      factors_.push_back(given.table.value(0));
     } else {
       of_bodies_.push_back(of_bodies(model, given, kernels));
     }
@@ -26,23 +29,23 @@ typename GravityLoads<S>::OfBodies GravityLoads<S>::of_bodies(const Model<S>& mo
   MassShares theirs = std::move(mass_shares(model, group, 1).front());
   Kernels forces = kernels.gravity(theirs.nodes, theirs.share);
   if (given.name.empty()) theirs = {};
-  return {given, std::move(theirs), std::move(forces)};
+  return {given, given.table.value(0), std::move(theirs), std::move(forces)};
 }
 
 template <class S>
-void GravityLoads<S>::apply(const NodeArrays<S>& nodes, double time) {
+void GravityLoads<S>::apply(const NodeArrays<S>& nodes, double time, const StepLengths& step) {
   if (forces_on_all_) {
     Point sum{};
-    for (const Gravity& gravity : of_all_) {
-      const double factor = gravity.table.value(time);
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += factor * gravity.acceleration[k];
+    for (std::size_t i = 0; i < of_all_.size(); ++i) {
+      factors_[i] = force_factor(of_all_[i].table, time, step);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += factors_[i] * of_all_[i].acceleration[k];
     }
     forces_on_all_->add(nodes, sum);
   }
-  for (const OfBodies& gravity : of_bodies_) {
-    const double factor = gravity.given.table.value(time);
+  for (OfBodies& gravity : of_bodies_) {
+    gravity.factor = force_factor(gravity.given.table, time, step);
     Point present{};
-    for (std::size_t k = 0; k < 3; ++k) present[k] = factor * gravity.given.acceleration[k];
+    for (std::size_t k = 0; k < 3; ++k) present[k] = gravity.factor * gravity.given.acceleration[k];
     gravity.forces->add(nodes, present);
   }
 }
@@ -55,16 +58,15 @@ void GravityLoads<S>::add_work(const NodeArrays<S>& nodes, const StepLengths& st
 
 /// Masses are those of the host, which all memories have.
 template <class S>
-void GravityLoads<S>::add_forces(const Model<S>& model, double time, const NamedForces& named,
-                                 std::vector<Point>& sums) const {
-  const auto add = [&](const Gravity& gravity, double mass) {
-    const double force = mass * gravity.table.value(time);
+void GravityLoads<S>::add_forces(const Model<S>& model, const NamedForces& named, std::vector<Point>& sums) const {
+  const auto add = [&](const Gravity& gravity, double factor, double mass) {
+    const double force = mass * factor;
     const Point& a = gravity.acceleration;
     named.add(gravity.name, {force * a[0], force * a[1], force * a[2]}, sums);
   };
-  for (const Gravity& gravity : of_all_) {
-    if (gravity.name.empty()) continue;
-    add(gravity, std::accumulate(model.node_mass.begin(), model.node_mass.end(), 0.0));
+  for (std::size_t i = 0; i < of_all_.size(); ++i) {
+    if (of_all_[i].name.empty()) continue;
+    add(of_all_[i], factors_[i], std::accumulate(model.node_mass.begin(), model.node_mass.end(), 0.0));
   }
   for (const OfBodies& gravity : of_bodies_) {
     if (gravity.given.name.empty()) continue;
@@ -72,7 +74,7 @@ void GravityLoads<S>::add_forces(const Model<S>& model, double time, const Named
     for (std::size_t i = 0; i < gravity.theirs.nodes.size(); ++i) {
       mass += gravity.theirs.share[i] * model.node_mass[gravity.theirs.nodes[i]];
     }
-    add(gravity.given, mass);
+    add(gravity.given, gravity.factor, mass);
   }
 }
 

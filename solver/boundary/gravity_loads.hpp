@@ -18,11 +18,11 @@ class GravityLoads {
   GravityLoads(const Model<S>& model, const BoundaryKernels<S>& kernels);
 
   /// Adds the forces to those of the nodes; time: of the forces.
-  void apply(const NodeArrays<S>& nodes, double time);
+  void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step);
   /// Adds the work of the forces that apply() has added; to be called when all forces are known.
   void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const;
-  /// Adds the force of each acceleration that has a name; time: of the forces.
-  void add_forces(const Model<S>& model, double time, const NamedForces& named, std::vector<Point>& sums) const;
+  /// Adds the force of each acceleration that has a name, as apply() has added it.
+  void add_forces(const Model<S>& model, const NamedForces& named, std::vector<Point>& sums) const;
   std::size_t bytes() const;
 
  private:
@@ -30,13 +30,15 @@ class GravityLoads {
   /// A force on the part of each node's mass that is of some bodies.
   struct OfBodies {
     Gravity given;
+    double factor;      ///< of the acceleration, at present
     MassShares theirs;  ///< empty where it has no name
     Kernels forces;
   };
   static OfBodies of_bodies(const Model<S>& model, const Gravity& given, const BoundaryKernels<S>& kernels);
 
   std::vector<Gravity> of_all_;
-  Kernels forces_on_all_;  ///< of their sum; null: there are none
+  std::vector<double> factors_;  ///< of these, at present
+  Kernels forces_on_all_;        ///< of their sum; null: there are none
   std::vector<OfBodies> of_bodies_;
 };
 

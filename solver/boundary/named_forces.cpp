@@ -17,11 +17,9 @@ NamedForces::NamedForces(const Scene& scene) {
   of_constraints_ = !names_.empty();
   add(scene.prescribed_velocities);
   add(scene.gravities);
-}
-
-const std::string& NamedForces::name_of_constraint(const Scene& scene, std::size_t table) {
-  const std::size_t planes = scene.constraints.size();
-  return table < planes ? scene.constraints[table].name : scene.fixed_constraints[table - planes].name;
+  for (const PlaneConstraint& plane : scene.constraints) of_each_constraint_.push_back(plane.name);
+  for (const FixedConstraint& fixed : scene.fixed_constraints) of_each_constraint_.push_back(fixed.name);
+  for (const PrescribedVelocity& given : scene.prescribed_velocities) of_each_prescribed_.push_back(given.name);
 }
 
 void NamedForces::add(const std::string& name, const Point& force, std::vector<Point>& sums) const {
@@ -31,36 +29,41 @@ void NamedForces::add(const std::string& name, const Point& force, std::vector<P
 }
 
 template <class S>
-std::vector<Point> BoundaryConditions<S>::named_forces(const Model<S>& model, double time) const {
-  if (forces_read_) return *forces_read_;
-  const Scene& scene = model.scene;
-  std::vector<Point> sums(named_.names().size(), Point{});
-  const auto add = [&](const std::string& name, const VectorSum& force) {
-    named_.add(name, {force.x, force.y, force.z}, sums);
+void BoundaryConditions<S>::add_held_forces(std::vector<Point>& sums) const {
+  const auto add = [&](const std::vector<std::string>& names, const auto& force_of) {
+    for (std::size_t t = 0; t < names.size(); ++t) {
+      if (names[t].empty()) continue;
+      const VectorSum force = force_of(t);
+      named_.add(names[t], {force.x, force.y, force.z}, sums);
+    }
   };
-  for (std::size_t t = 0; constrains_ && t < scene.constraints.size() + scene.fixed_constraints.size(); ++t) {
-    const std::string& name = NamedForces::name_of_constraint(scene, t);
-    if (!name.empty()) add(name, held_->force_of_constraint(t));
+  if (constrains_) add(named_.of_each_constraint(), [&](std::int32_t t) { return held_->force_of_constraint(t); });
+  if (prescribes_) add(named_.of_each_prescribed(), [&](std::int32_t t) { return held_->force_of_prescribed(t); });
+}
+
+template <class S>
+std::vector<Point> BoundaryConditions<S>::named_forces(const Model<S>& model) const {
+  if (forces_read_) return *forces_read_;
+  std::vector<Point> sums = steps_before_ > 0 ? forces_before_ : std::vector<Point>(named_.names().size(), Point{});
+  add_held_forces(sums);
+  for (Point& sum : sums) {
+    for (double& component : sum) component /= steps_before_ + 1;
   }
-  for (std::size_t t = 0; prescribes_ && t < scene.prescribed_velocities.size(); ++t) {
-    const std::string& name = scene.prescribed_velocities[t].name;
-    if (!name.empty()) add(name, held_->force_of_prescribed(t));
-  }
-  if (named_.any()) gravity_.add_forces(model, time, named_, sums);
+  if (named_.any()) gravity_.add_forces(model, named_, sums);
   return sums;
 }
 
 template <class S>
-std::vector<ForceResult> BoundaryConditions<S>::forces(const Model<S>& model, double time) const {
-  const std::vector<Point> sums = named_forces(model, time);
+std::vector<ForceResult> BoundaryConditions<S>::forces(const Model<S>& model) const {
+  const std::vector<Point> sums = named_forces(model);
   std::vector<ForceResult> results;
   for (std::size_t i = 0; i < sums.size(); ++i) results.push_back({named_.names()[i], sums[i]});
   return results;
 }
 
-template std::vector<Point> BoundaryConditions<double>::named_forces(const Model<double>&, double) const;
-template std::vector<Point> BoundaryConditions<float>::named_forces(const Model<float>&, double) const;
-template std::vector<ForceResult> BoundaryConditions<double>::forces(const Model<double>&, double) const;
-template std::vector<ForceResult> BoundaryConditions<float>::forces(const Model<float>&, double) const;
+template std::vector<Point> BoundaryConditions<double>::named_forces(const Model<double>&) const;
+template std::vector<Point> BoundaryConditions<float>::named_forces(const Model<float>&) const;
+template std::vector<ForceResult> BoundaryConditions<double>::forces(const Model<double>&) const;
+template std::vector<ForceResult> BoundaryConditions<float>::forces(const Model<float>&) const;
 
 }  // namespace pinball

@@ -17,13 +17,14 @@ class NamedForces {
   bool any() const { return !names_.empty(); }
   bool of_constraints() const { return of_constraints_; }  ///< whether any constraint has a name
 
-  /// Name of a [[constraint]] by its number in NodeConstraint; empty: none.
-  static const std::string& name_of_constraint(const Scene& scene, std::size_t table);
+  /// Of each [[constraint]] by its number in NodeConstraint, and of each [[prescribed_velocity]]; empty: none.
+  const std::vector<std::string>& of_each_constraint() const { return of_each_constraint_; }
+  const std::vector<std::string>& of_each_prescribed() const { return of_each_prescribed_; }
   /// Adds a force of a table to the sum for its name; to none where that is empty. sums: one per name [force].
   void add(const std::string& name, const Point& force, std::vector<Point>& sums) const;
 
  private:
-  std::vector<std::string> names_;
+  std::vector<std::string> names_, of_each_constraint_, of_each_prescribed_;
   bool of_constraints_ = false;
 };
 

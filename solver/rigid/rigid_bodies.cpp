@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <solver/boundary/force_factor.hpp>
 #include <solver/boundary/prescribed_motions.hpp>
 #include <solver/boundary/space/loops.hpp>
 
@@ -93,13 +94,14 @@ void RigidBodies<S>::set_speeds(Body& body, double time, const StepLengths& step
 
 /// Gravity acts in the given centre, and has acted in that of the nodes' masses.
 template <class S>
-Point RigidBodies<S>::gravity_beside(const Body& body, double time) const {
+Point RigidBodies<S>::gravity_beside(const Body& body, double time, const StepLengths& step) const {
   Point moment{};
   if (body.gravities.empty()) return moment;
   const Point offset = times(body.motion.rotation(), body.offset.data());
   for (const Gravity& gravity : body.gravities) {
     const Point turning = cross(gravity.acceleration, offset);
-    for (std::size_t k = 0; k < 3; ++k) moment[k] += body.motion.mass() * gravity.table.value(time) * turning[k];
+    const double factor = force_factor(gravity.table, time, step);
+    for (std::size_t k = 0; k < 3; ++k) moment[k] += body.motion.mass() * factor * turning[k];
   }
   return moment;
 }
@@ -157,7 +159,7 @@ void RigidBodies<S>::share_forces(Model<S>& model, double time, const StepLength
     set_speeds(body, time, step);
     sum_forces(model, body);
     if (body.shared) continue;
-    body.moment_beside = gravity_beside(body, time);
+    body.moment_beside = gravity_beside(body, time, step);
     body.acting.join({{}, body.moment_beside});
   }
   if (joints_) joints_->solve(jointed(), step);

@@ -104,7 +104,7 @@ class RigidBodies {
   void take_velocities(Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node, bool of_start);
   void set_offset(const Point& offset, Body& body) const;
   void take_gravities(const Scene& scene, const RigidBody& given, Body& body) const;
-  Point gravity_beside(const Body& body, double time) const;
+  Point gravity_beside(const Body& body, double time, const StepLengths& step) const;
   void choose_given(Body& body, double time) const;
   void keep_joints(Model<S>& model, bool of_start);
   std::vector<JointedBody> jointed() const;

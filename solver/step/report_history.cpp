@@ -125,7 +125,7 @@ HistoryRow history_row(const Solver<S>& solver) {
       row.more.insert(row.more.end(), force.begin(), force.end());
     }
   }
-  for (const ForceResult& named : solver.boundary().forces(model, solver.force_time())) {
+  for (const ForceResult& named : solver.boundary().forces(model)) {
     row.more.insert(row.more.end(), named.force.begin(), named.force.end());
   }
   for (const BodyShare& body : solver.body_shares()) {

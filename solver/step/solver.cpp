@@ -220,7 +220,7 @@ void Solver<S>::boundary_forces(const Due& due) {
   if (!acts && !tied_.any()) return;
   timers_.measure(Phase::boundary_conditions, [&] {
     if (acts) follow_constraints();
-    if (acts) boundary_.add_loads(space_->nodes(NodeNumbers::force), clock_.time());
+    if (acts) boundary_.add_loads(space_->nodes(NodeNumbers::force), clock_.time(), clock_.lengths(), due.all());
     if (tied_.any()) {
       space_->show(NodeNumbers::force);
       tied_.distribute(model_);

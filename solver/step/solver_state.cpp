@@ -85,7 +85,7 @@ void Solver<S>::persist(StateArchive& archive) {
   if (archive.reads()) space_->host_has_changed();
   internal_forces_.persist(archive, model_);
   schedule_.persist(archive, model_);
-  boundary_.persist(archive, model_, clock_.force_time());
+  boundary_.persist(archive, model_);
   if (archive.reads()) contact_.take_held_directions(model_);
   tied_.persist(archive, model_);
   if (archive.reads() && tied_.any()) contact_.set_ties(tied_.nodes(), false);

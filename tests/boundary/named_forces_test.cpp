@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include <solver/scene_rules.hpp>
+#include <tests/elements/thin_section.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
@@ -40,9 +43,7 @@ NodeSelection all_of(const std::string& body) {
   return nodes;
 }
 
-std::vector<ForceResult> forces_of(const Solver<double>& solver) {
-  return solver.boundary().forces(solver.model(), solver.force_time());
-}
+std::vector<ForceResult> forces_of(const Solver<double>& solver) { return solver.boundary().forces(solver.model()); }
 
 void expect_force(const ForceResult& result, const std::string& name, const Point& force, double tolerance) {
   EXPECT_EQ(result.name, name);
@@ -82,6 +83,30 @@ TEST(NamedForces, WhatAFloorAndGravityDoIsTheChangeOfMomentum) {
     before = after;
   }
   EXPECT_GT(largest, 1.5 * weight) << "a column that is let go swings to twice its weight";
+}
+
+/// Large elements give the impulse of a cycle in one of its steps: in that the force is many times the mean.
+TEST(NamedForces, OfConstraintsAreMeansOfTheStepsOfACycle) {
+  for (const bool subcycling : {false, true}) {
+    Scene scene = bar_with_thin_section(4e-3);
+    scene.time.subcycling = subcycling;
+    scene.bodies[0].velocity = {-5, 0, 0};
+    scene.constraints = {{{0, 0, 0}, {1, 0, 0}, "", "", 0, "", "support"}};
+    Solver<double> solver(scene);
+    solver.step();
+    const Point before = solver.momentum();
+    double impulse = 0;
+    std::int64_t steps = solver.steps(), longest_cycle = 0;
+    while (!solver.at_end()) {
+      solver.step();
+      const std::int64_t cycle = solver.steps() - std::exchange(steps, solver.steps());
+      impulse += static_cast<double>(cycle) * solver.dt() * forces_of(solver)[0].force[0];
+      longest_cycle = std::max(longest_cycle, cycle);
+    }
+    EXPECT_EQ(longest_cycle > 1, subcycling);
+    const double change = solver.momentum()[0] - before[0];
+    EXPECT_NEAR(impulse, change, 0.01 * change) << subcycling;
+  }
 }
 
 TEST(NamedForces, OfPrescribedMotionIsMassTimesAcceleration) {

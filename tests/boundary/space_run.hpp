@@ -54,7 +54,7 @@ class SpaceRun {
   }
 
   Model<S>& model() { return model_; }
-  std::vector<ForceResult> named_forces() const { return boundary_.forces(model_, time_); }
+  std::vector<ForceResult> named_forces() const { return boundary_.forces(model_); }
   BoundaryConditions<S>& boundary() { return boundary_; }
   /// Takes an element of the scene away, as erosion does.
   void erode(std::size_t element) {
@@ -66,7 +66,7 @@ class SpaceRun {
     const StepLengths lengths{before_, length};
     parallel_for("push", RangePolicy<Space>{0, model_.nodes.count}, PushNodes<S>{force_.data(), S(steps_)});
     boundary_.follow(model_, arrays(), time_, lengths);
-    boundary_.add_loads(arrays(), time_);
+    boundary_.add_loads(arrays(), time_, lengths);
     boundary_.hold(arrays(), time_, lengths);
     boundary_.add_wall_reactions(arrays(), time_, lengths);
     parallel_for("integration", RangePolicy<Space>{0, model_.nodes.count},

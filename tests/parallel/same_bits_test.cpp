@@ -46,8 +46,7 @@ TEST(SameBits, OfLoadsConstraintsPressuresGravityDampingAndWalls) {
   EXPECT_GT(alone.boundary().walls()[0].impulse, 0);
   EXPECT_GT(alone.boundary().walls()[2].impulse, 0);
   EXPECT_NE(alone.boundary().pressures()[0].force[0], 0);
-  for (const ForceResult& named : alone.boundary().forces(alone.model(), alone.force_time()))
-    EXPECT_NE(norm(named.force), 0) << named.name;
+  for (const ForceResult& named : alone.boundary().forces(alone.model())) EXPECT_NE(norm(named.force), 0) << named.name;
 }
 
 TEST(SameBits, WhereMostTilesRest) { EXPECT_GT(expect_same<double>(resting_bar()).resting, 0); }

@@ -158,7 +158,7 @@ void put_accounts(const Solver<double>& solver, Columns& columns) {
   columns["gas_work"] = solver.boundary().pressures()[0].work;
   put(columns, "meet_force", solver.contact_pairs().at(0).force);
   put(columns, "meet_impulse", solver.contact_pairs()[0].impulse);
-  put(columns, "push_force", solver.boundary().forces(solver.model(), solver.force_time()).at(0).force);
+  put(columns, "push_force", solver.boundary().forces(solver.model()).at(0).force);
   const auto shares = solver.body_shares();
   for (std::size_t b = 0; b < 2; ++b) {
     const std::string name = b == 0 ? "a" : "b";

