@@ -82,6 +82,11 @@ class Schedule {
   DueSpans due_spans(const Due& due) const {
     return subcycling_ ? subcycling_->due_nodes(due.step_of_cycle) : DueSpans{};
   }
+  /// After a step in which all elements were updated: how many of the smallest steps the position of a node is ahead of
+  /// the stresses.
+  int steps_ahead(std::int32_t node) const {
+    return subcycling_ ? subcycling_->due_nodes(0).steps(node / nodes_per_span) : 1;
+  }
   /// After the nodes of a step were integrated.
   void end_step(NodeStore<S>& nodes) {
     if (subcycling_) subcycling_->count_step(nodes);

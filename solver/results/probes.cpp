@@ -94,7 +94,7 @@ std::vector<std::int64_t> Probes<S>::slots(const Model<S>& model) const {
 }
 
 template <class S>
-void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_ahead,
+void Probes<S>::add_values(const Model<S>& model, const Watched& w, const TimeAhead& time_ahead,
                            std::vector<double>& values) const {
   double stress[6] = {}, plastic_strain = 0;
   std::int32_t node = 0;
@@ -117,7 +117,7 @@ void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_
       const S *x = model.nodes.position_of(node), *v = model.nodes.velocity_of(node);
       for (std::size_t k = 0; k < 3; ++k) {
         const double velocity = v[k];
-        const double position = x[k] - time_ahead * velocity;
+        const double position = x[k] - time_ahead(node) * velocity;
         values.push_back(quantity == "velocity" ? velocity : quantity == "position" ? position : position - w.start[k]);
       }
     }
@@ -125,14 +125,14 @@ void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_
 }
 
 template <class S>
-std::vector<double> Probes<S>::values(const Model<S>& model, double time_ahead) const {
+std::vector<double> Probes<S>::values(const Model<S>& model, const TimeAhead& time_ahead) const {
   std::vector<double> values;
   for (const Watched& w : watched_) add_values(model, w, time_ahead, values);
   return values;
 }
 
 template <class S>
-std::vector<ProbeResult> Probes<S>::results(const Model<S>& model, double time_ahead) const {
+std::vector<ProbeResult> Probes<S>::results(const Model<S>& model, const TimeAhead& time_ahead) const {
   std::vector<ProbeResult> results;
   for (const Watched& w : watched_) {
     ProbeResult result{w.probe.name, w.body, static_cast<std::int64_t>(w.number), w.probe.kind == ProbeKind::element,

@@ -142,7 +142,7 @@ std::vector<std::string> Simulation::history_columns() const {
   return implementation_->read([](const auto& solver) { return pinball::more_columns(solver); });
 }
 std::vector<ProbeResult> Simulation::probes() const {
-  return implementation_->read([](const auto& solver) { return solver.probes().results(solver.model(), solver.dt()); });
+  return implementation_->read([](const auto& solver) { return solver.probe_results(); });
 }
 RunSummary Simulation::summary() const {
   const ThreadCount threads(implementation_->threads());

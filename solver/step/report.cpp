@@ -110,10 +110,10 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
   parallel_for("nodes of a snapshot", RangePolicy<>{0, std::ssize(s.position)}, [&](std::int64_t n) {
     const std::int32_t node = model.node_of_scene_node[n];
     const S *const x = model.nodes.position_of(node), *const v = model.nodes.velocity_of(node);
+    const double ahead = solver.time_ahead(node);  // of the stresses: back to their time
     for (int k = 0; k < 3; ++k) {
       s.velocity[n][k] = v[k];
-      // Positions are one step ahead of the stresses: back to their time.
-      s.position[n][k] = x[k] - solver.dt() * s.velocity[n][k];
+      s.position[n][k] = x[k] - ahead * s.velocity[n][k];
     }
   });
   put_rigid_positions(solver, s.position);
@@ -214,7 +214,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.joints = solver.rigid().joint_results();
   summary.walls = solver.boundary().walls();
   summary.pressures = solver.boundary().pressures();
-  summary.probes = solver.probes().results(model, solver.dt());
+  summary.probes = solver.probe_results();
   summary.tied = model.tie_counts;
   summary.contact_method = contact != nullptr ? contact->name() : "none";
   summary.contact_enforcement = contact != nullptr ? enforcement_name(scene.contact.enforcement) : "none";

@@ -91,6 +91,8 @@ class Solver {
   double time() const { return clock_.time(); }
   double force_time() const { return clock_.force_time(); }
   double dt() const { return clock_.dt(); }
+  /// How far the position of a node of the store is ahead of the forces: its own step [time].
+  double time_ahead(std::int32_t node) const { return schedule_.steps_ahead(node) * clock_.dt(); }
   std::int64_t steps() const { return clock_.steps(); }
   const Energies& energies() const { return ledger_.energies(); }
   double balance_error() const { return ledger_.balance_error(); }
@@ -122,6 +124,7 @@ class Solver {
   std::vector<BodyShare> body_shares() const;
   /// In the order of Probes::columns().
   std::vector<double> probe_values() const;
+  std::vector<ProbeResult> probe_results() const;
 
   const std::vector<InitialOverlap>& initial_overlaps() const { return initial_overlaps_; }
   /// After finish(), where nothing has eroded: erosion exposes what lies deep inside others.

@@ -57,7 +57,12 @@ std::vector<BodyShare> Solver<S>::body_shares() const {
 template <class S>
 std::vector<double> Solver<S>::probe_values() const {
   space_->show_watched(probes_.nodes(model_), probes_.slots(model_));
-  return probes_.values(model_, dt());
+  return probes_.values(model_, [this](std::int32_t node) { return time_ahead(node); });
+}
+
+template <class S>
+std::vector<ProbeResult> Solver<S>::probe_results() const {
+  return probes_.results(model(), [this](std::int32_t node) { return time_ahead(node); });
 }
 
 template <class S>
@@ -135,6 +140,8 @@ template std::vector<BodyShare> Solver<double>::body_shares() const;
 template std::vector<BodyShare> Solver<float>::body_shares() const;
 template std::vector<double> Solver<double>::probe_values() const;
 template std::vector<double> Solver<float>::probe_values() const;
+template std::vector<ProbeResult> Solver<double>::probe_results() const;
+template std::vector<ProbeResult> Solver<float>::probe_results() const;
 template Array<double>& Solver<double>::host_forces();
 template Array<float>& Solver<float>::host_forces();
 template std::size_t Solver<double>::bytes() const;

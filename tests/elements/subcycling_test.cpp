@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 
 #include <solver/elements/schedule.hpp>
 #include <solver/model/step_levels.hpp>
+#include <solver/step/report.hpp>
 #include <tests/support/saved_state.hpp>
 
 #include "thin_section.hpp"
@@ -72,6 +74,30 @@ Scene shaken_bar(double steps_of_cubes) {
   scene.element.hourglass = HourglassControl::stiffness;
   scene.time.end = steps_of_cubes * 1e-4;
   return scene;
+}
+
+/// After a cycle nodes with large steps have made theirs: what is reported is where they are at the time of the row.
+TEST(Subcycling, ProbesAndFieldsSeeAllNodesAtOneTime) {
+  Scene scene = bar_with_thin_section(1e-2);
+  scene.bodies[0].velocity = {3, 0, 0};
+  for (const double x : {0.0, 12.5, 25.0}) {
+    Probe probe;
+    probe.name = fmt::format("x{}", scene.probes.size());
+    probe.point = {x, 0, 0};
+    probe.quantities = {"displacement"};
+    scene.probes.push_back(probe);
+  }
+  Solver<double> solver(scene);
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    solver.step();
+    const std::vector<double> values = solver.probe_values();
+    const double way = 3 * solver.force_time();
+    for (const std::size_t i : {0U, 3U, 6U}) EXPECT_NEAR(values[i], way, 1e-12) << cycle << ' ' << i;
+    const FieldSnapshot fields = snapshot(solver);
+    const auto& start = solver.mesh().nodes;
+    for (std::size_t n = 0; n < start.size(); ++n) ASSERT_NEAR(fields.position[n][0] - start[n][0], way, 1e-12) << n;
+  }
+  EXPECT_GT(solver.subcycling()->cycle_steps(), 1);
 }
 
 TEST(Subcycling, LeavesElementsOut) {
