@@ -12,6 +12,7 @@ struct TiedResult {
   std::int64_t near = 0;   ///< lie within five times the tolerance, and beyond it
   std::int64_t held = 0;   ///< near enough, but held in all directions or moved as prescribed
   std::int64_t taken = 0;  ///< near enough, but tied already, or corners of faces that others are tied to
+  std::int64_t open = 0;   ///< of the second side: lie on faces of the first, and no node follows them
 };
 
 }  // namespace pinball

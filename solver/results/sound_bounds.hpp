@@ -24,6 +24,8 @@ inline constexpr double contact_created = 0.01;
 inline constexpr double contact_swallowed = 0.2;
 /// Steps with contact whose impulses did not converge, of all of them [-].
 inline constexpr double unconverged = 0.03;
+/// Nodes of a tie's second side that lie on its first side with nothing that follows them, over those tied [-].
+inline constexpr double open_tie = 0.25;
 /// Hourglass energy, of the largest internal energy [-].
 inline constexpr double hourglass = 0.1;
 /// Plastic work of hourglass modes, of the same. Where one layer of elements bends it is most of all plastic work [-].

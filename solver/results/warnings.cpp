@@ -146,8 +146,14 @@ std::vector<std::string> start_warnings(const RunSummary& summary) {
   if (!summary.unstable_hourglass.empty()) found.push_back(summary.unstable_hourglass);
   if (!summary.large_added_mass.empty()) found.push_back(summary.large_added_mass);
   for (const TiedResult& tied : summary.tied) {
-    if (tied.nodes > 0) continue;
-    found.push_back(fmt::format("contact.tied {}: try a larger tolerance, or other sides", tied_text(tied)));
+    if (tied.nodes == 0) {
+      found.push_back(fmt::format("contact.tied {}: try a larger tolerance, or other sides", tied_text(tied)));
+    } else if (static_cast<double>(tied.open) > sound::open_tie * static_cast<double>(tied.nodes)) {
+      found.push_back(fmt::format(
+          "contact.tied {}, and {} of its second side {} on its first side with nothing that follows: name the side "
+          "with the finer mesh as first",
+          tied_text(tied), counted(tied.open, "node"), tied.open == 1 ? "lies" : "lie"));
+    }
   }
   found.insert(found.end(), summary.near_nodes.begin(), summary.near_nodes.end());
   add_limits_of_contact(summary, found);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <solver/results/warnings.hpp>
 #include <tests/support/run_hash.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
@@ -68,6 +69,19 @@ TEST(TiedContact, TellsWhatItHasTied) {
   scene = glued(4, 3, 1e-4);
   scene.prescribed_velocities = {moved};
   EXPECT_EQ(Solver<double>(scene).model().tie_counts.at(0).held, 5);
+}
+
+TEST(TiedContact, IsWarnedOfWhereTheSecondSideHasTheFinerMesh) {
+  const auto warnings = [](int first, int second) {
+    RunSummary summary;
+    summary.tied = Solver<double>(glued(first, second, 1e-4)).model().tie_counts;
+    return start_warnings(summary);
+  };
+  for (const int coarse : {1, 3, 4}) EXPECT_THAT(warnings(4, coarse), testing::IsEmpty()) << coarse;
+  EXPECT_THAT(
+      warnings(2, 4),
+      testing::ElementsAre(HasSubstr(
+          "9 nodes are tied, and 16 nodes of its second side lie on its first side with nothing that follows")));
 }
 
 TEST(TiedContact, MovesAsOneBody) {

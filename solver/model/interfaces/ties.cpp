@@ -94,8 +94,7 @@ class TieSearch {
     }
   }
 
-  std::vector<std::int32_t> nodes_of(const TiedContact& tied) const {
-    const SideMembers members = find_members(mesh_, tied.first, tied.where + ".first");
+  std::vector<std::int32_t> nodes_of(const SideMembers& members) const {
     std::vector<std::int32_t> nodes = members.nodes;
     for_each_face(members, [&](std::int32_t, const std::array<std::int32_t, 4>& face) {
       nodes.insert(nodes.end(), face.begin(), face.end());
@@ -105,25 +104,26 @@ class TieSearch {
     return nodes;
   }
 
-  std::vector<Face> faces_of(const TiedContact& tied) const {
+  std::vector<Face> faces_of(const SideMembers& members, double tolerance) const {
     std::vector<Face> faces;
-    for_each_face(find_members(mesh_, tied.second, tied.where + ".second"),
-                  [&](std::int32_t element, const std::array<std::int32_t, 4>& node) {
-                    const auto diagonal = [&](std::size_t a, std::size_t b) {
-                      const Vec3<double> d = place(mesh_, node[b]) - place(mesh_, node[a]);
-                      return std::sqrt(dot(d, d));
-                    };
-                    const double size = std::min(diagonal(0, 2), diagonal(1, 3));
-                    faces.push_back({element, node, tied.tolerance < 0 ? default_tolerance * size : tied.tolerance});
-                  });
+    for_each_face(members, [&](std::int32_t element, const std::array<std::int32_t, 4>& node) {
+      const auto diagonal = [&](std::size_t a, std::size_t b) {
+        const Vec3<double> d = place(mesh_, node[b]) - place(mesh_, node[a]);
+        return std::sqrt(dot(d, d));
+      };
+      const double size = std::min(diagonal(0, 2), diagonal(1, 3));
+      faces.push_back({element, node, tolerance < 0 ? default_tolerance * size : tolerance});
+    });
     return faces;
   }
 
   TiedResult tie(const TiedContact& tied, std::int16_t number) {
     TiedResult count;
     count.name = tied.name;
-    const std::vector<std::int32_t> nodes = nodes_of(tied);
-    const std::vector<Face> faces = faces_of(tied);
+    const SideMembers first = find_members(mesh_, tied.first, tied.where + ".first");
+    const SideMembers second = find_members(mesh_, tied.second, tied.where + ".second");
+    const std::vector<std::int32_t> nodes = nodes_of(first);
+    const std::vector<Face> faces = faces_of(second, tied.tolerance);
     const std::vector<std::vector<std::int32_t>> around = faces_near(nodes, faces);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const std::int32_t node = nodes[i];
@@ -143,7 +143,44 @@ class TieSearch {
         ties_.push_back({node, face.node, foot.weight, face.element, number});
       }
     }
+    count.open = open_nodes(first, second, tied.tolerance);
     return count;
+  }
+
+  /// Nodes of the second side that lie on faces of the first and that no node follows: where that has the coarser mesh
+  /// nothing keeps them there.
+  std::int64_t open_nodes(const SideMembers& first, const SideMembers& second, double tolerance) const {
+    std::vector<std::uint8_t> followed(mesh_.nodes.size(), 0);
+    for (const TiedNode& tied : ties_) {
+      for (std::size_t k = 0; k < 4; ++k) followed[tied.corner[k]] |= tied.weight[k] > 0 ? 1 : 0;
+    }
+    std::vector<std::int32_t> nodes = nodes_of(second);
+    std::erase_if(nodes, [&](std::int32_t n) { return followed[n] != 0 || tied_[n] != 0 || held_[n] != 0; });
+    const std::vector<Face> faces = faces_of(first, tolerance);
+    if (faces.empty() || nodes.empty()) return 0;
+    const std::vector<std::vector<std::int32_t>> around = faces_near(nodes, faces);
+    std::int64_t open = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      open += std::ranges::any_of(around[i], [&](std::int32_t f) {
+        const Face& face = faces[f];
+        const bool its_own = std::ranges::find(face.node, nodes[i]) != face.node.end();
+        return !its_own && foot_on(face, nodes[i]).distance <= face.tolerance;
+      });
+    }
+    return open;
+  }
+
+  /// Of a node on one face; far away where there is none.
+  Foot foot_on(const Face& face, std::int32_t node) const {
+    Vec3<double> x[4];
+    for (std::size_t k = 0; k < 4; ++k) x[k] = place(mesh_, face.node[k]);
+    const FaceProjection<double> at = project_onto_face(x, place(mesh_, node), 0.0, 0.0);
+    Vec3<double> to = place(mesh_, node);  // what a foot lies outside of a face is known up to its size alone
+    for (std::size_t k = 0; k < 4; ++k) to = to - at.weight[k] * x[k];
+    Foot foot;
+    foot.distance = at.outside < INFINITY ? std::sqrt(dot(to, to)) : INFINITY;
+    std::copy(std::begin(at.weight), std::end(at.weight), foot.weight.begin());
+    return foot;
   }
 
   /// Per node the faces that it lies near, in their order.
@@ -189,18 +226,12 @@ class TieSearch {
       const Face& face = faces[number];
       const auto is_its_own = [&](std::int32_t corner) { return corner == node || tied_[corner] != 0; };
       if (std::any_of(face.node.begin(), face.node.end(), is_its_own)) continue;
-      Vec3<double> x[4];
-      for (std::size_t k = 0; k < 4; ++k) x[k] = place(mesh_, face.node[k]);
-      const FaceProjection<double> at = project_onto_face(x, place(mesh_, node), 0.0, 0.0);
-      Vec3<double> to = place(mesh_, node);  // what a foot lies outside of a face is known up to its size alone
-      for (std::size_t k = 0; k < 4; ++k) to = to - at.weight[k] * x[k];
-      const double distance = at.outside < INFINITY ? std::sqrt(dot(to, to)) : INFINITY;
-      if (!(distance <= near * face.tolerance)) continue;
+      const Foot foot = foot_on(face, node);
+      if (!(foot.distance <= near * face.tolerance)) continue;
       const double same = 1e-9 * face.tolerance;
-      if (best.face >= 0 && !(distance < best.distance - same)) continue;
+      if (best.face >= 0 && !(foot.distance < best.distance - same)) continue;
+      best = foot;
       best.face = number;
-      best.distance = distance;
-      std::copy(std::begin(at.weight), std::end(at.weight), best.weight.begin());
     }
     drop_round_off(best.weight);
     return best;
