@@ -207,7 +207,9 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
     const Material& material = scene.materials[model.parts[p].material];
     const ElementSettings& settings = model.parts[p].settings;
     fmt::print("  elements of {}{}: {}", material.name, own_settings_text(scene, settings, material.name),
-               material.plastic ? "plasticity" : "elasticity");
+               material.fluid     ? "flow of a fluid"
+               : material.plastic ? "plasticity"
+                                  : "elasticity");
     if (material.plastic && material.erosion_strain > 0) {
       fmt::print(", erosion at plastic strain {:.4g}", material.erosion_strain);
     }
@@ -228,8 +230,9 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
     print_contact(*solver.contact(), scene.contact, model.element_count());
     print_search(scene);
     for (const ContactPair& pair : scene.contact_pairs) {
-      fmt::print("  contact pair {}: friction {:.4g} at rest, {:.4g} sliding{}\n", pair.name, pair.static_friction,
-                 pair.friction, pair.second.empty() ? ", of its first side alone" : "");
+      fmt::print("  contact pair {}: friction {:.4g} at rest, {:.4g} sliding{}{}\n", pair.name, pair.static_friction,
+                 pair.friction, pair.second.empty() ? ", of its first side alone" : "",
+                 span_text({pair.start, pair.end}));
     }
   }
   if (!model.look.contact_because.empty()) fmt::print("  {}\n", model.look.contact_because);

@@ -12,12 +12,6 @@ namespace pinball {
 
 namespace {
 
-std::string directions_text(const std::vector<Point>& directions) {
-  std::string text;
-  for (const Point& d : directions) text += (text.empty() ? "" : ", ") + vector_text(d, "");
-  return text;
-}
-
 std::string per_time(const Units& units) { return units.time.empty() ? "" : "1/" + units.time; }
 
 void print_joints(const Scene& scene, const Units& units) {
@@ -48,11 +42,13 @@ void print_rigid_bodies(const Scene& scene, const std::vector<RigidBodyResult>& 
     for (const RigidMotion& motion : scene.rigid_motions) {
       if (motion.rigid_body != rigid.name) continue;
       if (motion.direction)
-        fmt::print("    moves along {} with {}\n", vector_text(*motion.direction, ""),
-                   with_unit(motion.speed, units.velocity));
+        fmt::print("    moves along {} with {} ({}{})\n", vector_text(*motion.direction, ""),
+                   motion_text(motion.quantity, fmt::format("{:.6g}", motion.speed), units.length, units),
+                   table_text(motion.table), span_text(motion.when));
       if (motion.axis)
-        fmt::print("    turns about {} with {}\n", vector_text(*motion.axis, ""),
-                   with_unit(motion.angular_speed, per_time(units)));
+        fmt::print("    turns about {} with {} ({}{})\n", vector_text(*motion.axis, ""),
+                   motion_text(motion.quantity, fmt::format("{:.6g}", motion.angular_speed), "rad", units),
+                   table_text(motion.table), span_text(motion.when));
     }
   }
   print_joints(scene, units);
