@@ -23,7 +23,7 @@ target_link_libraries(emulated_gpu PRIVATE Pinball::kernels pinball_warnings pin
 set_source_files_properties(${emulated}/emulated_device.cpp PROPERTIES COMPILE_OPTIONS -U_FORTIFY_SOURCE)  # it would take a change of stacks for a fault
 
 target_sources(device_tests PRIVATE ${which_devices} ${emulated}/planted_faults_test.cpp ${emulated}/emulated_scenes_test.cpp
-                                    ${emulated}/standing_lists_test.cpp
+                                    ${emulated}/standing_lists_test.cpp ${emulated}/ranks_on_gpus_test.cpp
                                     $<TARGET_OBJECTS:emulated_gpu>)
 target_include_directories(device_tests PRIVATE ${emulated})
 

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <tests/parallel/outcome.hpp>
+#include <tests/parallel/shared_scenes.hpp>
+
+#include "emulated_device.hpp"
+
+/// Several ranks on the emulated GPU (emulated_device.hpp): the same bits in any order of its threads, and what crosses
+/// over in a step.
+namespace pinball::ranks_on_gpus_test {
+namespace {
+
+using namespace test;
+using emulated::Counts;
+using emulated::Order;
+
+class RanksOnGpus : public testing::Test {
+ protected:
+  ~RanksOnGpus() override { emulated::set_order(Order::forward); }
+};
+
+TEST_F(RanksOnGpus, HaveTheSameBitsInAnyOrderOfThreads) {
+  Scene scene = torn();
+  scene.device = Device::cuda;
+  scene.time.end = 10e-6;
+  Solver<double> alone(scene);
+  const Outcome expected = outcome_of(alone);
+  for (const auto& [order, seed] :
+       {std::pair(Order::forward, 1), std::pair(Order::reverse, 1), std::pair(Order::shuffled, 7)}) {
+    emulated::set_order(order, seed);
+    const Outcome found =
+        solved_on<double>(3, {Partition::By::random, 2}, scene, [](Solver<double>& s) { return outcome_of(s); });
+    EXPECT_TRUE(found == expected);
+  }
+}
+
+/// Of each rank since its solver was there, of so many steps.
+std::vector<Counts> counts_of(const Scene& scene, int count, int steps, SharedWork& work, bool reaches_cuda) {
+  std::vector<Counts> of_rank(count);
+  const auto count_of = [&](int rank, const auto& make_steps) {
+    const Counts before = emulated::counts();
+    make_steps();
+    const Counts after = emulated::counts();
+    of_rank[rank] = {after.launches - before.launches, after.waits - before.waits, after.to_device - before.to_device,
+                     after.to_host - before.to_host};
+  };
+  on_ranks(
+      count, {},
+      [&](ThreadRanks& ranks) {
+        Solver<double> solver(scene, &ranks);
+        count_of(0, [&] {
+          for (int step = 0; step < steps; ++step) solver.step();
+        });
+        work = solver.shared_work();
+        return 0;
+      },
+      [&](ThreadRanks& ranks) {
+        Solver<double> solver(scene, &ranks);
+        count_of(ranks.number(), [&] { solver.follow_rank_0(); });
+      },
+      reaches_cuda);
+  return of_rank;
+}
+
+/// What each rank asks for in one step. Where what a rank sums up lies in several ranges each further one takes a
+/// launch and a wait.
+void expect_in_a_step(int ranks, bool reaches_cuda, std::int64_t launches, std::int64_t waits) {
+  Scene scene = scene_of({block("cube", {12, 12, 12}, 0.01, {})}, 1e-5, false);
+  scene.bodies[0].velocity_gradient = {Point{4000, 300, 0}, Point{0, -1500, 200}, Point{500, 0, -1200}};
+  scene.device = Device::cuda;
+  constexpr int steps = 3;
+  SharedWork work;
+  const std::vector<Counts> fewer = counts_of(scene, ranks, steps, work, reaches_cuda),
+                            more = counts_of(scene, ranks, steps + 1, work, reaches_cuda);
+  std::int64_t there = 0, back = 0;
+  for (int rank = 0; rank < ranks; ++rank) {
+    const Counts step{more[rank].launches - fewer[rank].launches, more[rank].waits - fewer[rank].waits,
+                      more[rank].to_device - fewer[rank].to_device, more[rank].to_host - fewer[rank].to_host};
+    EXPECT_GE(step.launches, launches);
+    EXPECT_LE(step.launches, launches + 2 * (ranks > 1));
+    EXPECT_EQ(step.waits - waits, step.launches - launches);
+    there += step.to_device;
+    back += step.to_host;
+  }
+  constexpr std::int64_t of_force = 24;
+  EXPECT_EQ(there, reaches_cuda ? 0 : of_force * work.records);
+  EXPECT_EQ(back, there);
+  EXPECT_EQ(work.records > 0, ranks > 1);
+}
+
+/// Forces of corners cross in one copy there and one back; sums come without a copy.
+TEST_F(RanksOnGpus, CopyForcesOnceThereAndOnceBack) {
+  expect_in_a_step(1, false, 2, 2);
+  expect_in_a_step(2, false, 4, 4);
+  expect_in_a_step(4, false, 4, 4);
+}
+
+TEST_F(RanksOnGpus, CopyNothingWhereMessagesReachTheDevice) { expect_in_a_step(3, true, 4, 3); }
+
+TEST_F(RanksOnGpus, HaveTheSameBitsWhereMessagesReachTheDevice) {
+  Scene scene = torn();
+  scene.device = Device::cuda;
+  scene.time.end = 10e-6;
+  Solver<double> alone(scene);
+  const Outcome expected = outcome_of(alone);
+  const Outcome found = on_ranks(
+      3, {},
+      [&](ThreadRanks& ranks) {
+        Solver<double> solver(scene, &ranks);
+        return outcome_of(solver);
+      },
+      [&](ThreadRanks& ranks) { Solver<double>(scene, &ranks).follow_rank_0(); }, true);
+  EXPECT_TRUE(found == expected);
+}
+
+}  // namespace
+}  // namespace pinball::ranks_on_gpus_test

@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <tests/parallel/outcome.hpp>
+#include <tests/parallel/shared_scenes.hpp>
+#include <tests/support/changing_scene.hpp>
+#include <tests/support/tetrahedra_case.hpp>
+
+#include "device_case.hpp"
+
+/// Several ranks with a device each: the bits of one process on that device, whatever their number and whatever each
+/// works.
+namespace pinball::ranks_on_devices_test {
+namespace {
+
+using namespace test;
+
+const std::vector<Shared> few_ranks{{1, {}}, {2, {}}, {3, {Partition::By::random, 1}}, {4, {Partition::By::graph, 0}}};
+
+class RanksOnDevices : public testing::TestWithParam<Device> {
+ protected:
+  Scene on_device(Scene scene) const {
+    scene.device = GetParam();
+    return scene;
+  }
+  template <class S>
+  Outcome expect_same(const Scene& scene) const {
+    return expect_same_on<S>(few_ranks, on_device(scene));
+  }
+};
+
+/// More elements than one piece of a sum has, of the mock device, too.
+TEST_P(RanksOnDevices, TearABlockAsOneDeviceDoes) {
+  Scene scene = torn();
+  if (GetParam() == Device::mock) std::get<BlockMesh>(scene.bodies[0].mesh).elements = {24, 18, 15};
+  EXPECT_GT(expect_same<double>(scene).eroded, 0);
+}
+
+TEST_P(RanksOnDevices, TearABlockInSinglePrecision) {
+  EXPECT_GT(expect_same<float>(torn(Precision::float32)).eroded, 0);
+}
+
+TEST_P(RanksOnDevices, HaveLoadsConstraintsPressuresGravityDampingAndWalls) {
+  const Scene scene = held_and_driven();
+  expect_same<double>(scene);
+  const auto run_and_name = [](Solver<double>& solver) {
+    run(solver);
+    return solver.boundary().forces(solver.model());
+  };
+  Solver<double> alone(on_device(scene));
+  const std::vector<ForceResult> expected = run_and_name(alone);
+  EXPECT_GT(alone.boundary().walls()[0].impulse, 0);
+  const std::vector<ForceResult> found = solved_on<double>(3, {}, on_device(scene), run_and_name);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NE(norm(found[i].force), 0) << found[i].name;
+    EXPECT_EQ(found[i].force, expected[i].force) << found[i].name;
+  }
+}
+
+/// Of the bodies that do not touch.
+TEST_P(RanksOnDevices, HaveWhatBeginsAndEnds) {
+  const std::string path = testing::TempDir() + "changing_on_" + device_name(GetParam()) + ".toml";
+  std::ofstream(path) << changing_scene;
+  Scene scene = read_scene(path);
+  scene.contact.method = ContactMethod::none;
+  scene.contact_pairs.clear();
+  scene.tied_contacts.clear();
+  expect_same<double>(scene);
+}
+
+TEST_P(RanksOnDevices, LeaveOutTilesAtRest) { EXPECT_GT(expect_same<double>(resting_bar()).resting, 0); }
+
+TEST_P(RanksOnDevices, WorkTilesAtRestAllTheSame) {
+  Scene scene = resting_bar();
+  scene.skip.resting = false;
+  expect_same<double>(scene);
+}
+
+TEST_P(RanksOnDevices, FoldElements) { expect_same<double>(pressed_block(1)); }
+
+TEST_P(RanksOnDevices, GoOnFromEachOthersStates) {
+  for (const Scene& of : {torn(), resting_bar()}) {
+    const Scene scene = on_device(of);
+    Solver<double> alone(scene);
+    const StateBytes bytes = solved_on<double>(3, {Partition::By::random, 4}, scene, [&](Solver<double>& solver) {
+      for (int step = 0; step < 9; ++step) {
+        solver.step();
+        alone.step();
+      }
+      return saved(solver);
+    });
+    const auto outcome = [](Solver<double>& solver) { return outcome_of(solver); };
+    const Outcome expected = outcome_of(alone);
+    Solver<double> other(scene);
+    load(other, bytes);
+    EXPECT_TRUE(outcome_of(other) == expected);
+    EXPECT_TRUE(solved_on<double>(2, {}, scene, outcome, bytes) == expected);
+  }
+}
+
+TEST_P(RanksOnDevices, SayWhatEachHas) {
+  const auto devices = [](Solver<double>& solver) { return solver.shared_work().devices; };
+  const std::vector<std::string> found = solved_on<double>(4, {}, on_device(torn()), devices);
+  if (GetParam() == Device::mock) {
+    EXPECT_THAT(found, testing::ElementsAre("mock", "mock", "mock", "mock"));
+  } else {
+    const std::string name = "GPU emulated on the processor, ";
+    EXPECT_THAT(found, testing::ElementsAre(name + "0 of 3", name + "1 of 3", name + "2 of 3", name + "0 of 3"));
+  }
+}
+
+std::string refusal(const Scene& scene) {
+  return error_of([&] {
+    on_ranks(
+        2, {}, [&](ThreadRanks& ranks) { return Solver<double>(scene, &ranks), 0; },
+        [&](ThreadRanks& ranks) { EXPECT_THROW(Solver<double>(scene, &ranks), InputError); });
+  });
+}
+
+TEST_P(RanksOnDevices, RefuseByNameWhatTheyCannotDo) {
+  EXPECT_THAT(refusal(on_device(pressed_blocks(1e-3))),
+              testing::HasSubstr("several ranks with a device each cannot do this scene yet: it has contact; expected "
+                                 "--device none, or one process, without mpirun"));
+  EXPECT_THAT(refusal(on_device(torn_tetrahedra())), testing::HasSubstr("it has elements with averaged volumes"));
+}
+
+INSTANTIATE_TEST_SUITE_P(On, RanksOnDevices, testing::ValuesIn(devices()), name_of_device);
+
+}  // namespace
+}  // namespace pinball::ranks_on_devices_test
