@@ -194,8 +194,7 @@ class SpaceStep final : public DeviceStep<S> {
     return corner_.bytes() + mass_share_.bytes() + folding_onset_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() +
            first_of_node_.bytes() + corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() +
            left_.bytes() + tile_.bytes() + resting_.bytes() + halo_.bytes() + volumes_.bytes() + common_.bytes() +
-           listed_.bytes() +
-           eroded_.bytes() + (bodies_ ? bodies_->bytes() : 0);
+           listed_.bytes() + eroded_.bytes() + (bodies_ ? bodies_->bytes() : 0);
   }
 
  private:

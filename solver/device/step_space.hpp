@@ -8,6 +8,7 @@
 
 #include <kernels/boundary/node_arrays.hpp>
 #include <kernels/node_update.hpp>
+#include <solver/base/piece_share.hpp>
 #include <solver/boundary/space/boundary_kernels.hpp>
 #include <solver/contact/algorithm/pinball_kernels.hpp>
 #include <solver/contact/surface/surface.hpp>
@@ -60,6 +61,8 @@ class StepSpace {
   virtual void show_listed(NodeNumbers numbers) = 0;
   /// They have been shown.
   virtual void take_listed(NodeNumbers changed) = 0;
+  /// Processes that have the same of these and may work loops over them together; null: this one is alone.
+  virtual Sharers* sharers() { return nullptr; }
   /// Masses of nodes have been changed in the model.
   virtual void take_masses() = 0;
   /// Slots of elements that have eroded in the last update, ascending, perhaps with padding and others that are no

@@ -13,7 +13,7 @@ namespace pinball {
 
 /// Nodes that all ranks move, whether they hold elements around them or not: those of the surface, of ties and of rigid
 /// bodies. One of the ranks that hold such a node has the sum of its element forces, and sends it to all. From then on
-/// all have the same of it, and work contact, ties and rigid bodies alike, without a word to each other.
+/// all have the same of it, and work contact, ties and rigid bodies alike.
 ///
 /// Nodes come to them, for erosion makes new surface; none goes.
 template <class S>

@@ -77,6 +77,9 @@ class Ranks {
   }
 
   Partition partition;
+  /// Numbers that a loop has to look at for ranks to share it (Sharers).
+  static constexpr std::int64_t worth_a_message_by_default = 4096;
+  std::int64_t worth_a_message = worth_a_message_by_default;
   std::int64_t bytes_given = 0;  ///< by all ranks together, for sums in steps
   bool agreed = false;           ///< all have said whether they are ready (agree()),
   bool running = false;          ///< and were

@@ -25,6 +25,7 @@ Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
       pack_width_(model.elements.width),
       holders_(model, rank_of_tile_),
       common_(ranks, model.nodes.count),
+      sharers_(ranks),
       averages_volumes_(model.averages_volumes()),
       on_device_(model.scene.device != Device::none) {
   cut_nodes(model.nodes.count);
@@ -310,7 +311,8 @@ SharedWork Subdomain<S>::work() const {
 
 template <class S>
 std::size_t Subdomain<S>::bytes() const {
-  return (plan_ ? plan_->bytes() : 0) + (corners_ ? corners_->bytes() : 0) + common_.bytes() + is_alive_.capacity();
+  return (plan_ ? plan_->bytes() : 0) + (corners_ ? corners_->bytes() : 0) + common_.bytes() + sharers_.bytes() +
+         is_alive_.capacity();
 }
 
 template class Subdomain<double>;

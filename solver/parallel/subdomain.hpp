@@ -19,6 +19,7 @@
 #include "corner_exchange.hpp"
 #include "corner_plan.hpp"
 #include "node_holders.hpp"
+#include "rank_sharers.hpp"
 #include "ranks.hpp"
 #include "shared_blocks.hpp"
 #include "shared_nodes.hpp"
@@ -121,6 +122,8 @@ class Subdomain final : public SharedNodes {
   void connect_sums(Model<S>& model);
   /// Blocks of the sum of kinetic energies over all nodes: spans, of a run on a device pieces (sum_piece).
   const SharedBlocks& node_blocks() const { return *node_blocks_; }
+  /// For loops over numbers that all have.
+  Sharers& sharers() { return sharers_; }
   std::int32_t elements_of_tile(std::int64_t tile) const { return elements_of_tile_[tile]; }
 
   // ---- Between steps ----
@@ -155,6 +158,7 @@ class Subdomain final : public SharedNodes {
   int pack_width_;
   NodeHolders holders_;
   CommonNodes<S> common_;
+  RankSharers sharers_;
   std::vector<std::uint8_t> is_alive_;  ///< per slot: the element of it, as all ranks know
   bool has_eroded_ = false;             ///< any, since share_strains()
   bool averages_volumes_;               ///< of elements, over what has not eroded

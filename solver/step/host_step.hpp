@@ -37,6 +37,7 @@ class HostStep final : public StepSpace<S> {
   void list(std::span<const std::int32_t> /*nodes*/) override {}
   void show_listed(NodeNumbers /*numbers*/) override {}
   void take_listed(NodeNumbers /*changed*/) override {}
+  Sharers* sharers() override { return domain_ != nullptr ? &domain_->sharers() : nullptr; }
   void take_masses() override {}
   std::vector<std::int64_t> eroded_slots() override { return pinball::eroded_slots(model_, forces_.tiles()); }
   void show_strains(const Surface& surface) override {

@@ -16,7 +16,9 @@ class SpaceSurface final : public SurfaceSource<S> {
  public:
   /// surface: of the contact that is given this; in_space: its loops run in the space.
   SpaceSurface(Model<S>& model, StepSpace<S>& space, const Surface& surface, bool in_space)
-      : SurfaceSource<S>(ModelSurface<S>(model)), own_(model), space_(space), surface_(surface), in_space_(in_space) {}
+      : SurfaceSource<S>(ModelSurface<S>(model)), own_(model), space_(space), surface_(surface), in_space_(in_space) {
+    this->sharers = space.sharers();
+  }
 
   bool is_element(std::int64_t slot) const override { return own_.is_element(slot); }
   ContactElement element(std::int64_t slot) const override { return own_.element(slot); }

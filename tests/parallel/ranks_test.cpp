@@ -93,6 +93,7 @@ void expect_reported_bytes(const Scene& scene, int steps) {
   on_ranks(
       3, {},
       [&](ThreadRanks& ranks) {
+        ranks.worth_a_message = 0;
         Solver<double> solver(scene, &ranks);
         ranks.sent = 0;
         for (int step = 0; step < steps; ++step) {
@@ -104,6 +105,7 @@ void expect_reported_bytes(const Scene& scene, int steps) {
         return 0;
       },
       [&](ThreadRanks& ranks) {
+        ranks.worth_a_message = 0;
         Solver<double> solver(scene, &ranks);
         ranks.sent = 0;
         solver.follow_rank_0();
@@ -175,8 +177,8 @@ TEST(PlannedRanks, CountWhatRanksSend) {
       solver.step();
       return solver.shared_work();
     };
-    const SharedWork real = solved_on<double>(3, {}, scene, first_step);
     PlannedRanks ranks(3, {});
+    const SharedWork real = solved_on<double>(3, {}, scene, first_step, {}, ranks.worth_a_message);
     Solver<double> solver(scene, &ranks);
     const SharedWork planned = first_step(solver);
     EXPECT_EQ(planned.records, real.records);

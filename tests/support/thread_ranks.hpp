@@ -105,10 +105,11 @@ auto on_ranks(int count, const Partition& partition, const Use& use, const Other
   return use(first);
 }
 
-/// use(solver) of rank 0, which the others follow. read: a state that all begin with; empty: none.
+/// use(solver) of rank 0, which the others follow. read: a state that all begin with; empty: none; worth: numbers from
+/// which on loops of contact are shared, where nothing is said all of them.
 template <class S, class Use>
 auto solved_on(int count, const Partition& partition, const Scene& scene, const Use& use,
-               const StateBytes& read = StateBytes()) {
+               const StateBytes& read = StateBytes(), std::int64_t worth = 0) {
   const auto begin = [&](Solver<S>& solver) {
     if (read.empty()) return;
     StateArchive archive = StateArchive::reading({read.data(), read.size()});
@@ -117,12 +118,14 @@ auto solved_on(int count, const Partition& partition, const Scene& scene, const 
   return on_ranks(
       count, partition,
       [&](ThreadRanks& ranks) {
+        ranks.worth_a_message = worth;
         Solver<S> solver(scene, &ranks);
         begin(solver);
         return use(solver);
       },
       [&](ThreadRanks& ranks) {
         DefaultExecutionSpace::set_concurrency(1);
+        ranks.worth_a_message = worth;
         Solver<S> solver(scene, &ranks);
         begin(solver);
         solver.follow_rank_0();

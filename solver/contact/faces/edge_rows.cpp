@@ -160,13 +160,12 @@ bool face_each_other(const EdgeSides& first, const EdgeSides& second) {
 /// Pairs whose lines come near each other between their ends.
 template <class S>
 void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& edges, const EdgePairs& pairs,
-                            std::int64_t piece, const StepReach& step, std::vector<std::int32_t>& near_pairs) {
+                            const ListPart& part, const StepReach& step, std::vector<std::int32_t>& near_pairs) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
-  const std::int64_t begin = pairs.pieces.begin[piece], end = pairs.pieces.end[piece];
   near_pairs.clear();
   const S margin = sizeof(S) == 8 ? S(0.01) : S(0.05);
-  for (std::int64_t place = begin; place < end; place += W) {
+  for (std::int64_t place = part.begin / W * W; place < part.end; place += W) {
     const auto ends = [&](std::size_t n) { return gather_vectors<T>(source.position, pairs.node[n].data() + place); };
     const Vec3<T> a = ends(0), b = ends(1), c = ends(2), d = ends(3);
     // What has passed each other is as near again.
@@ -192,7 +191,7 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& 
     unsigned bits = lane_bits<T>(cross_here || lie_along);
     for (; bits != 0; bits &= bits - 1) {
       const std::int64_t at = place + __builtin_ctz(bits);
-      if (at < end) near_pairs.push_back(at);
+      if (at >= part.begin && at < part.end) near_pairs.push_back(at);
     }
   }
 }
@@ -254,9 +253,9 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
 
 template <class S>
 void EdgeRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-                       const EdgePairs& pairs, const StepReach& step) {
-  rows_.find("edge rows", pairs.pieces.count, [&](std::int64_t number, RowPieces::Piece& piece) {
-    find_near(source, edges, pairs, number, step, piece.near);
+                       const EdgePairs& pairs, const StepReach& step, const ListShare& share) {
+  rows_.find("edge rows", share, [&](std::int64_t, const ListPart& part, RowPieces::Piece& piece) {
+    find_near(source, edges, pairs, part, step, piece.near);
     for (const std::int32_t place : piece.near) {
       add_row(source, surface, edges.edges()[pairs.first[place]], edges.edges()[pairs.second[place]], step, piece.rows);
     }

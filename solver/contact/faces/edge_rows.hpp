@@ -21,16 +21,21 @@ class EdgeRows {
  public:
   using EdgePairs = typename FeatureLists<S>::EdgePairs;
 
-  /// Finds the rows of all pairs listed, in the order of the list.
+  /// Finds the rows of all pairs listed in the parts that are this process' own, in the order of the list.
   void find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-            const EdgePairs& pairs, const StepReach& step);
+            const EdgePairs& pairs, const StepReach& step, const ListShare& share);
+  void find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+            const EdgePairs& pairs, const StepReach& step) {
+    find(source, surface, edges, pairs, step, ListShare(pairs));
+  }
   const RowPieces& rows() const { return rows_; }
+  RowPieces& rows() { return rows_; }
   std::size_t bytes() const { return rows_.bytes(); }
 
  private:
   using Edge = typename EdgeTable<S>::Edge;
   static void find_near(const SurfaceSource<S>& source, const EdgeTable<S>& edges, const EdgePairs& pairs,
-                        std::int64_t piece, const StepReach& step, std::vector<std::int32_t>& near_pairs);
+                        const ListPart& part, const StepReach& step, std::vector<std::int32_t>& near_pairs);
   static void add_row(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const Edge& first,
                       const Edge& second, const StepReach& step, std::vector<FeatureRow>& rows);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
 
 #include <kernels/exec.hpp>
@@ -19,6 +21,9 @@ static_assert(worth_noting < deepest_edges && worth_noting < near_gap);
 
 /// Depth at which nodes of bodies that overlap at the start are found, over the size of a segment around them.
 constexpr double deepest_at_start = 0.3;
+
+/// Pairs of a part of a list where several processes share it: so few that each gets about as many.
+constexpr std::int64_t most_pairs_of_part = 256;
 
 /// Bounds of velocities [length/time].
 struct VelocityBox {
@@ -226,8 +231,7 @@ void FaceAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double d
   lists_.count_step(static_cast<S>(dt));
   const StepReach step{dt, largest_approach(source, listed_nodes_, dt), depth_.data(), !deep_.empty(),
                        this->pairs_.get()};
-  node_rows_.find(source, surface_, lists_.nodes(), step);
-  edge_rows_.find(source, surface_, edges_, lists_.edges(), step);
+  find_rows(source, step);
   sphere_rows_.find(source, surface_, spheres_, lists_.spheres(), dt);
   ImpulseSolver<S>& impulses = *this->impulses_;
   impulses.begin_rows();
@@ -236,6 +240,31 @@ void FaceAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double d
   sphere_rows_.give_to(impulses);
   impulses.finish_rows(source, dt);
   note_depths();
+}
+
+template <class S>
+void FaceAlgorithm<S>::find_rows(const SurfaceSource<S>& source, const StepReach& step) {
+  const std::int64_t most = source.sharers != nullptr ? most_pairs_of_part : std::numeric_limits<std::int64_t>::max();
+  ListShare nodes(lists_.nodes(), most), edges(lists_.edges(), most);
+  std::vector<std::int64_t> pairs_of;
+  for (const ListShare* list : {&nodes, &edges}) {
+    for (const ListPart& part : list->parts()) pairs_of.push_back(part.pairs());
+  }
+  const PieceShare share(source.sharers, pairs_of);
+  nodes.leave_to_others(share, 0);
+  edges.leave_to_others(share, std::ssize(nodes.parts()));
+  node_rows_.find(source, surface_, lists_.nodes(), step, nodes);
+  edge_rows_.find(source, surface_, edges_, lists_.edges(), step, edges);
+  if (share.is_shared()) {
+    found_rows_.clear();
+    node_rows_.rows().put_into(found_rows_);
+    edge_rows_.rows().put_into(found_rows_);
+    share.to_all(found_rows_, [&](std::span<const std::byte> theirs) {
+      node_rows_.rows().take_from(theirs, nodes);
+      edge_rows_.rows().take_from(theirs, edges);
+    });
+  }
+  node_rows_.drop_mirrored(source, surface_);
 }
 
 /// What is deep stays in the lists.
@@ -294,7 +323,7 @@ void FaceAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& so
 template <class S>
 std::size_t FaceAlgorithm<S>::bytes() const {
   return surface_.bytes() + edges_.bytes() + spheres_.bytes() + lists_.bytes() + node_rows_.bytes() +
-         edge_rows_.bytes() + sphere_rows_.bytes() + this->impulses_->bytes();
+         edge_rows_.bytes() + sphere_rows_.bytes() + found_rows_.capacity() + this->impulses_->bytes();
 }
 
 template class FaceAlgorithm<double>;

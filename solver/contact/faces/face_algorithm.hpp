@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -48,6 +49,8 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   const std::vector<std::int32_t>& nodes_of_springs() override { return no_springs_; }
   void add_pair_forces_of_springs(std::vector<Point>& /*sums*/) const override {}
   void collect_impulses(const SurfaceSource<S>& source, double dt) override;
+  /// Finds the rows of nodes and edges, with other processes if there are some.
+  void find_rows(const SurfaceSource<S>& source, const StepReach& step);
   void note_depths();
   /// Whether the lists have all that may touch.
   bool lists_hold(const SurfaceSource<S>& source);
@@ -75,6 +78,7 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   NodeRows<S> node_rows_;
   EdgeRows<S> edge_rows_;
   SphereRows<S> sphere_rows_;
+  std::vector<std::byte> found_rows_;  ///< message
   std::vector<std::int32_t> no_springs_;
   std::vector<std::int32_t> listed_nodes_;      ///< of the store: all whose motion decides what touches
   std::vector<std::uint8_t> listed_slave_;      ///< per slave: among these

@@ -70,8 +70,9 @@ void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface
                [&](std::int64_t i) { scope_.depth[i] = depth[surface.slaves()[i].node]; });
   clock_.restart(horizon);
   valid_ = true;
-  find_pairs(source, surface, spheres, settings);
-  find_features(surface, edges);
+  const PieceShare share(source.sharers, fixed_pieces, std::ssize(surface.segments()) + spheres.count());
+  find_pairs(source, surface, spheres, settings, share);
+  find_features(surface, edges, share);
 }
 
 template <class S>
@@ -92,21 +93,23 @@ bool FeatureLists<S>::may_touch(const SegmentSurface<S>& surface, const SphereSu
 
 template <class S>
 void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface,
-                                 const SphereSurface<S>& spheres, const ContactSettings& settings) {
+                                 const SphereSurface<S>& spheres, const ContactSettings& settings,
+                                 const PieceShare& share) {
   bounds_.update(nodes, surface, spheres, motion_, scope_);
   const std::int32_t segments = surface.segments().size();
   const auto number_of = [&](std::int32_t box) { return box < segments ? bounds_.segment_of(box) : box; };
   const auto keep = [&](std::int32_t a, std::int32_t b) {
     return may_touch(surface, spheres, settings.self, number_of(a), number_of(b));
   };
-  pairs_.find(bounds_.boxes(), settings.search, keep, &bounds_.directions());
+  pairs_.find(bounds_.boxes(), settings.search, keep, &bounds_.directions(), share);
   self_ = settings.self;
   skin_ = static_cast<S>(settings.skin);
   features_.clear(segments);
 }
 
 template <class S>
-void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
+void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                                    const PieceShare& share) {
   const std::int32_t segments = surface.segments().size();
   parallel_for("segments that meet", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
@@ -137,6 +140,7 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
       }
     }
   });
+  FoundFeatures{nodes_.found(), edges_.found(), found_sphere_segments_, found_spheres_}.add_from_others(share);
   nodes_.sort(surface.slaves().size(), native_width<S>, true);
   nodes_.fill(surface);
   edges_.sort(edges.edges().size(), native_width<S>, true);
@@ -313,7 +317,7 @@ void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& su
   nodes.position = position.data();
   nodes.velocity = velocity.data();
   bounds_.renumber();
-  find_pairs(nodes, surface, spheres, settings);
+  find_pairs(nodes, surface, spheres, settings, PieceShare());
   nodes_.fill(surface);
   edges_.fill(surface, edges);
 }

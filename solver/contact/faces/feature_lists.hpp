@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <kernels/exec.hpp>
+#include <solver/base/piece_share.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/contact_settings.hpp>
 #include <solver/contact/search/box_pairs.hpp>
@@ -15,6 +16,7 @@
 
 #include "feature_bounds.hpp"
 #include "features_in_pair.hpp"
+#include "found_features.hpp"
 #include "listed_pairs.hpp"
 #include "segment_features.hpp"
 #include "sorted_pairs.hpp"
@@ -91,14 +93,15 @@ class FeatureLists {
              const SphereSurface<S>& spheres) const;
   S steps_to_last(const SegmentSurface<S>& surface) const;
   void watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres);
-  /// Pairs of boxes, and what these are found by. nodes: as when motion_ was started.
+  /// Pairs of boxes, of a share of them, and what these are found by. nodes: as when motion_ was started.
   void find_pairs(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres,
-                  const ContactSettings& settings);
+                  const ContactSettings& settings, const PieceShare& share);
   /// Whether what boxes hold may touch: not segments that wait or have ended, nor those that the mesh keeps apart.
   /// a < b or both of segments: numbers of boxes.
   bool may_touch(const SegmentSurface<S>& surface, const SphereSurface<S>& spheres, bool self, std::int32_t a,
                  std::int32_t b) const;
-  void find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  /// What may touch in these and in those of other processes.
+  void find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const PieceShare& share);
   /// What lists may not have yet: pairs of a node or an edge that has changed, and of a segment that has.
   struct Changed {
     const FeatureLists& lists;

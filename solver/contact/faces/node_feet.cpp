@@ -33,14 +33,13 @@ double NodeFoot::distance() const { return std::sqrt(gap * gap + outside * outsi
 
 template <class S>
 void find_near_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
-                     const typename FeatureLists<S>::NodePairs& pairs, std::int64_t piece, const StepReach& step,
+                     const typename FeatureLists<S>::NodePairs& pairs, const ListPart& part, const StepReach& step,
                      std::vector<std::int32_t>& near) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
-  const std::int64_t begin = pairs.pieces.begin[piece], end = pairs.pieces.end[piece];
-  near.resize(end - begin + 2 * W);
+  near.resize(part.pairs() + 3 * W);
   std::int32_t* end_of_near = near.data();
-  for (std::int64_t place = begin; place < end; place += W) {
+  for (std::int64_t place = part.begin / W * W; place < part.end; place += W) {
     T within = number<T>(near_gap) * load<T>(pairs.size.data() + place) + number<T>(step.approach);
     if (step.some_deep) {
       alignas(64) S deep[W];
@@ -58,7 +57,8 @@ void find_near_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& su
     const T beside = ball - SegmentSurface<S>::deepest * load<T>(pairs.radius.data() + place) + within;
     unsigned bits =
         lane_bits<T>(ball > T(0) && dot(d, d) - height * height < beside * beside && absolute(height) < within + warp);
-    if (place + W > end) bits &= (1U << (end - place)) - 1;
+    if (place < part.begin) bits &= ~0U << (part.begin - place);
+    if (place + W > part.end) bits &= (1U << (part.end - place)) - 1;
     end_of_near += write_numbers<W>(bits, place, end_of_near);
   }
   near.resize(end_of_near - near.data());
@@ -100,7 +100,7 @@ void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
 
 #define PINBALL_INSTANTIATE(S)                                                                                        \
   template void find_near_nodes(const SurfaceSource<S>&, const SegmentSurface<S>&, const FeatureLists<S>::NodePairs&, \
-                                std::int64_t, const StepReach&, std::vector<std::int32_t>&);                          \
+                                const ListPart&, const StepReach&, std::vector<std::int32_t>&);                       \
   template void find_feet(const SurfaceSource<S>&, const SegmentSurface<S>&, const FeatureLists<S>::NodePairs&,       \
                           const std::vector<std::int32_t>&, std::vector<NodeFoot>&);
 PINBALL_INSTANTIATE(double)

@@ -8,6 +8,7 @@
 
 #include "feature_lists.hpp"
 #include "feature_row.hpp"
+#include "row_pieces.hpp"
 
 namespace pinball {
 
@@ -26,10 +27,10 @@ struct NodeFoot {
   double distance() const;  ///< of the node from the segment [length]
 };
 
-/// Places of the pairs of a piece of a list of which the node is near the ball and the plane of the segment.
+/// Places of the pairs of a part of a list of which the node is near the ball and the plane of the segment.
 template <class S>
 void find_near_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
-                     const typename FeatureLists<S>::NodePairs& pairs, std::int64_t piece, const StepReach& step,
+                     const typename FeatureLists<S>::NodePairs& pairs, const ListPart& part, const StepReach& step,
                      std::vector<std::int32_t>& near);
 
 /// The feet of these, in their order.

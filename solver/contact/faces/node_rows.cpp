@@ -274,9 +274,9 @@ class NodeMeeting {
 
 template <class S>
 void NodeRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const NodePairs& pairs,
-                       const StepReach& step) {
-  rows_.find("node rows", pairs.pieces.count, [&](std::int64_t number, RowPieces::Piece& piece) {
-    find_near_nodes<S>(source, surface, pairs, number, step, piece.near);
+                       const StepReach& step, const ListShare& share) {
+  rows_.find("node rows", share, [&](std::int64_t number, const ListPart& part, RowPieces::Piece& piece) {
+    find_near_nodes<S>(source, surface, pairs, part, step, piece.near);
     std::vector<NodeFoot>& feet = feet_[number];
     find_feet<S>(source, surface, pairs, piece.near, feet);
     for (auto begin = feet.begin(); begin != feet.end();) {
@@ -286,7 +286,6 @@ void NodeRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& 
       begin = end;
     }
   });
-  drop_mirrored(source, surface);
 }
 
 template <class S>

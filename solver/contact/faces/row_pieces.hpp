@@ -3,16 +3,46 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include <kernels/exec.hpp>
 #include <solver/base/lists_in_order.hpp>
+#include <solver/base/piece_share.hpp>
 
 #include "feature_row.hpp"
+#include "sorted_pairs.hpp"
 
 namespace pinball {
 
-/// The rows of the pairs of a list, found in parallel in the pieces of the list, and given in the order of the list.
+/// Consecutive places of a list: all pairs of their first numbers.
+struct ListPart {
+  std::int64_t begin, end;
+  std::int64_t pairs() const { return end - begin; }
+};
+
+/// A list as it is worked: in parts, of which a process may leave some to others.
+class ListShare {
+ public:
+  /// In its pieces, or, where these have more pairs than `most`, in parts of them; at most fixed_pieces in all.
+  explicit ListShare(const SortedPairs& list, std::int64_t most = std::numeric_limits<std::int64_t>::max());
+
+  const std::vector<ListPart>& parts() const { return parts_; }
+  /// share: of the parts of several lists; it has to stay. first: number of the first part of this list among them.
+  void leave_to_others(const PieceShare& share, std::int64_t first) {
+    share_ = &share;
+    first_ = first;
+  }
+  bool is_own(std::int64_t part) const { return share_ == nullptr || share_->is_own(first_ + part); }
+
+ private:
+  std::vector<ListPart> parts_;
+  const PieceShare* share_ = nullptr;
+  std::int64_t first_ = 0;
+};
+
+/// The rows of the pairs of a list, found in parallel in the parts of the list, and given in the order of the list.
 class RowPieces {
  public:
   struct Piece {
@@ -20,14 +50,24 @@ class RowPieces {
     std::vector<FeatureRow> rows;
   };
 
-  /// Calls find(piece number, piece) for pieces without rows.
+  /// Calls find(number, part, its piece) for this process' parts, whose pieces have no rows; nor have those of others.
   template <class Find>
-  void find(const char* name, std::int64_t pieces, const Find& find) {
-    count_ = pieces;
-    parallel_for(name, RangePolicy<>{0, pieces}, [&](std::int64_t number) {
+  void find(const char* name, const ListShare& share, const Find& find) {
+    count_ = std::ssize(share.parts());
+    parallel_for(name, RangePolicy<>{0, count_}, [&](std::int64_t number) {
       pieces_[number].rows.clear();
-      find(number, pieces_[number]);
+      if (share.is_own(number)) find(number, share.parts()[number], pieces_[number]);
     });
+  }
+  /// Puts the rows that were found into a message for other processes; takes theirs, of pieces that are not this one's.
+  void put_into(std::vector<std::byte>& message) const {
+    for (std::int64_t number = 0; number < count_; ++number) put_list(message, pieces_[number].rows);
+  }
+  void take_from(std::span<const std::byte>& message, const ListShare& share) {
+    std::vector<FeatureRow> rows_of_own;
+    for (std::int64_t number = 0; number < count_; ++number) {
+      add_list(message, share.is_own(number) ? rows_of_own : pieces_[number].rows);
+    }
   }
   /// Calls visit(row) for each row in turn.
   template <class Visit>

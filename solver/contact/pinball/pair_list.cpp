@@ -1,6 +1,7 @@
 #include "pair_list.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include <kernels/compress.hpp>
 #include <kernels/exec.hpp>
@@ -11,7 +12,7 @@ namespace pinball {
 
 template <class S>
 void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self, ContactSearch how,
-                        const ContactPairs* pairs, bool spheres_apart) {
+                        const ContactPairs* pairs, bool spheres_apart, Sharers* sharers) {
   const Wanted wanted{pinballs, pairs, spheres_apart};
   remember();
   boxes_.build(balls);
@@ -21,7 +22,9 @@ void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>
   if (suitable_search(how, boxes_.view(), 0, boxes_.view().groups, most_met) == ContactSearch::hash) {
     find_by_hash(pinballs, self, wanted);
   } else {
-    find(pinballs, self, wanted);
+    const PieceShare share(sharers, fixed_pieces, pinballs.count);
+    find(pinballs, self, wanted, share);
+    if (share.is_shared()) add_from_others(share);
   }
   number(pinballs);
   recall();
@@ -52,12 +55,13 @@ void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
 
 /// The pairs of each piece, and which pinballs have any.
 template <class S>
-void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted) {
+void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted, const PieceShare& share) {
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   parallel_for("neighbours", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     Found& found = found_[piece];
     found.pairs = 0;
+    if (!share.is_own(piece)) return;
     NearBalls<S>& near = near_[piece];
     const std::int32_t begin = piece_begin(piece) / G, end = (piece_begin(piece + 1) + G - 1) / G;
     for (std::int32_t group = begin; group < end; ++group) {
@@ -72,6 +76,22 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self, const Want
       leave_out_neighbours(pinballs, group, groups);
       if (!wanted.all()) leave_out_unwanted(wanted, group, groups);
       append(group, groups, found);
+    }
+  });
+}
+
+template <class S>
+void PairList<S>::add_from_others(const PieceShare& share) {
+  std::vector<std::byte> message;
+  for (const Found& found : found_) found.put_into(message);
+  share.to_all(message, [this](std::span<const std::byte> theirs) {
+    for (Found& found : found_) {
+      const std::size_t before = found.pairs;
+      found.add_from(theirs);
+      for (std::size_t pair = before; pair < found.pairs; ++pair) {
+        mark(found.first[pair]);
+        mark(found.second[pair]);
+      }
     }
   });
 }
@@ -354,7 +374,7 @@ std::size_t PairList<S>::bytes() const {
                     offset_.bytes() + stored_.bytes() + boxes_.bytes() + reference_.bytes() + by_hash_.bytes();
   for (const NearBalls<S>& near : near_) sum += near.bytes();
   for (const std::vector<PairMemory>& memory : memory_) sum += of(memory);
-  for (const Found& found : found_) sum += of(found.first) + of(found.second);
+  for (const Found& found : found_) sum += found.PairColumns::bytes();
   return sum;
 }
 

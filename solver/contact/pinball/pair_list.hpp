@@ -26,10 +26,11 @@ template <class S>
 class PairList {
  public:
   /// Builds the list from nothing. balls: one per pinball; self: a body may touch itself; how: the list is the same;
-  /// pairs: of the scene, which may touch, or null; spheres_apart: balls of spheres meet each other alone.
+  /// pairs: of the scene, which may touch, or null; spheres_apart: balls of spheres meet each other alone; sharers: who
+  /// all have these pinballs and build the list together, or null.
   void build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self,
              ContactSearch how = ContactSearch::automatic, const ContactPairs* pairs = nullptr,
-             bool spheres_apart = false);
+             bool spheres_apart = false, Sharers* sharers = nullptr);
   double stored_energy() const;  ///< of the springs of all pairs [energy]
 
   std::int32_t size() const { return listed_.size(); }  ///< pinballs that have a pair
@@ -61,9 +62,7 @@ class PairList {
     S offset, stored;
   };
   /// The pairs of which the pinballs of a piece are the first, in the order of the list.
-  struct Found {
-    std::vector<std::int32_t> first, second;  ///< numbers among all pinballs; with room for more
-    std::size_t pairs = 0;
+  struct Found : PairColumns {  // numbers among all pinballs
     std::int32_t pinballs = 0;  ///< of the piece, that have a pair
   };
   void check(const StateArchive& archive, const SurfacePinballs<S>& pinballs) const;
@@ -82,7 +81,8 @@ class PairList {
     bool all() const { return pairs == nullptr && !spheres_apart; }
     bool operator()(std::size_t a, std::size_t b) const;
   };
-  void find(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted);
+  void find(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted, const PieceShare& share);
+  void add_from_others(const PieceShare& share);
   void find_by_hash(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted);
   /// What may come near the balls of a group without what is listed already, and without pairs of one body that were
   /// not apart in the undeformed mesh.

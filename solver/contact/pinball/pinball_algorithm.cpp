@@ -172,7 +172,8 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
                factor * radius + motion_.allowance(all_.corners[p]));
   });
   const double stored_before = this->lists_outdated_ ? list_.stored_energy() : 0.0;
-  list_.build(all_, balls_, this->settings_.self, this->settings_.search, this->pairs_.get(), on_faces_ != nullptr);
+  list_.build(all_, balls_, this->settings_.self, this->settings_.search, this->pairs_.get(), on_faces_ != nullptr,
+              source.sharers);
   if (on_faces_) on_faces_->build(source, motion_, horizon);
   if (this->lists_outdated_) ended_energy_ += stored_before - list_.stored_energy();
   this->lists_outdated_ = false;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include <kernels/exec.hpp>
+#include <solver/base/piece_share.hpp>
 #include <solver/contact/contact_settings.hpp>
 
 #include "box_hash.hpp"
@@ -26,10 +27,11 @@ class BoxPairs {
  public:
   /// Builds the list from nothing; the same from every search and every number of threads. keep(first, second): whether
   /// a pair is wanted; asked only for pairs that meet, in parallel. directions: of the groups of boxes, or null; pairs
-  /// of those that have nothing with each other may be left out, too.
+  /// of those that have nothing with each other may be left out, too. share: of fixed_pieces of the boxes: pairs that
+  /// are found in another process' pieces are not in the list.
   template <class Keep>
   void find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep,
-            const GroupDirections<S>* directions = nullptr);
+            const GroupDirections<S>* directions = nullptr, const PieceShare& share = PieceShare());
 
   /// First boxes of the pairs of a piece, and as many second ones. Valid until the next find().
   std::span<const std::int32_t> firsts(std::int64_t piece) const { return sorted_[piece].firsts(); }
@@ -55,9 +57,9 @@ class BoxPairs {
   /// The search to be used; has built the tree if it is that.
   ContactSearch choose(const MovingBoxes<S>& boxes, ContactSearch how);
   template <class Keep>
-  void find_by_tree(const Keep& keep, const GroupDirections<S>* directions);
+  void find_by_tree(const Keep& keep, const GroupDirections<S>* directions, const PieceShare& share);
   template <class Keep>
-  void find_by_hash(const Keep& keep);
+  void find_by_hash(const Keep& keep, const PieceShare& share);
 
   std::array<std::int32_t, fixed_pieces + 1> begins_{};
   PairOrder::Pieces sorted_;
@@ -73,26 +75,27 @@ class BoxPairs {
 template <class S>
 template <class Keep>
 void BoxPairs<S>::find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep,
-                       const GroupDirections<S>* directions) {
+                       const GroupDirections<S>* directions, const PieceShare& share) {
   cut_into_pieces(boxes);
   if (choose(boxes, how) == ContactSearch::hash) {
     hash_.build(boxes);
-    find_by_hash(keep);
+    find_by_hash(keep, share);
     order_.sort(begins_, sorted_);
   } else {
-    find_by_tree(keep, directions);
+    find_by_tree(keep, directions, share);
   }
 }
 
 /// No branch depends on what is kept. Most groups of surfaces that nothing comes near have no others.
 template <class S>
 template <class Keep>
-void BoxPairs<S>::find_by_tree(const Keep& keep, const GroupDirections<S>* directions) {
+void BoxPairs<S>::find_by_tree(const Keep& keep, const GroupDirections<S>* directions, const PieceShare& share) {
   constexpr int G = ball_group<S>;
   parallel_for("pairs by a tree", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     PairColumns& found = sorted_[piece];
     NearBoxes<S>& near = near_[piece];
     found.pairs = 0;
+    if (!share.is_own(piece)) return;
     const std::int32_t begin = piece_begin(piece), end = piece_begin(piece + 1);
     for (std::int32_t own = begin; own < end; ++own) {
       if (own % G == 0) near.enter(tree_.view(), own / G, own == begin, directions);
@@ -112,11 +115,12 @@ void BoxPairs<S>::find_by_tree(const Keep& keep, const GroupDirections<S>* direc
 /// The same here; a box may be the second of its pairs, too.
 template <class S>
 template <class Keep>
-void BoxPairs<S>::find_by_hash(const Keep& keep) {
+void BoxPairs<S>::find_by_hash(const Keep& keep, const PieceShare& share) {
   parallel_for("pairs by a hash", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     PairColumns& found = order_.found()[piece];
     NearCells<S>& cells = cells_[piece];
     found.pairs = 0;
+    if (!share.is_own(piece)) return;
     for (std::int32_t number = piece_begin(piece); number < piece_begin(piece + 1); ++number) {
       if (hash_.cell_begin(number) < 0) continue;
       cells.enter(hash_, hash_.cell_begin(number));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <kernels/exec.hpp>
+#include <solver/base/piece_share.hpp>
 
 namespace pinball {
 
@@ -28,6 +29,19 @@ struct PairColumns {
     if (pairs + more <= second.size()) return;
     first.resize(std::max(pairs + more, 2 * second.size()));
     second.resize(first.size());
+  }
+  /// For what other processes find (PieceShare): puts these into a message, adds those of one.
+  void put_into(std::vector<std::byte>& message) const {
+    put_count(message, pairs);
+    put(message, firsts());
+    put(message, seconds());
+  }
+  void add_from(std::span<const std::byte>& message) {
+    const std::size_t more = get_count(message);
+    make_room(more);
+    get(message, std::span(first).subspan(pairs, more));
+    get(message, std::span(second).subspan(pairs, more));
+    pairs += more;
   }
   std::size_t bytes() const { return (first.capacity() + second.capacity()) * sizeof(first[0]); }
 };

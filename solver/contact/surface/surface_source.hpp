@@ -11,6 +11,7 @@
 #include <kernels/simd.hpp>
 #include <solver/base/colouring.hpp>
 #include <solver/base/packs.hpp>
+#include <solver/base/piece_share.hpp>
 #include <solver/base/point.hpp>
 #include <solver/base/records.hpp>
 
@@ -72,6 +73,9 @@ class SurfaceSource : public NodeRecords<S> {
   std::span<const std::int64_t> tile_packs;  ///< first pack of each tile; tiles + 1 entries
   int tile_pack_width = width;               ///< of these packs: whole ones of `width`
   const Colouring* tile_colours = nullptr;
+
+  /// Processes that all have this surface and work its contact together; null: this one is alone.
+  Sharers* sharers = nullptr;
 
   /// Whether a number is the slot of an element, eroded or not, and not of padding.
   virtual bool is_element(std::int64_t slot) const = 0;
