@@ -87,13 +87,7 @@ TEST_P(RanksOnDevices, GoOnFromEachOthersStates) {
   for (const Scene& of : {torn(), resting_bar()}) {
     const Scene scene = on_device(of);
     Solver<double> alone(scene);
-    const StateBytes bytes = solved_on<double>(3, {Partition::By::random, 4}, scene, [&](Solver<double>& solver) {
-      for (int step = 0; step < 9; ++step) {
-        solver.step();
-        alone.step();
-      }
-      return saved(solver);
-    });
+    const StateBytes bytes = state_of_three_ranks(scene, alone);
     const auto outcome = [](Solver<double>& solver) { return outcome_of(solver); };
     const Outcome expected = outcome_of(alone);
     Solver<double> other(scene);

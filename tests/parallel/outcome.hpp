@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <solver/output/history.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/thread_ranks.hpp>
 
 /// What a run leaves, and that it is the same on ranks.
@@ -66,6 +67,17 @@ Outcome expect_same_on(const std::vector<Shared>& all, const Scene& scene) {
                                    << partition.seed;
   }
   return expected;
+}
+
+/// What three ranks have saved after some steps, which the one process has made, too.
+inline StateBytes state_of_three_ranks(const Scene& scene, Solver<double>& alone) {
+  return solved_on<double>(3, {Partition::By::random, 4}, scene, [&](Solver<double>& solver) {
+    for (int step = 0; step < 9; ++step) {
+      solver.step();
+      alone.step();
+    }
+    return saved(solver);
+  });
 }
 
 }  // namespace pinball::test

@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include <tests/support/saved_state.hpp>
-
 #include "outcome.hpp"
 #include "shared_scenes.hpp"
 
@@ -56,13 +54,7 @@ TEST(SameBits, WhereElementsNearlyTurnOver) { expect_same<double>(pressed_block(
 TEST(SameBits, OfAStateThatThreeRanksHaveSavedOnTwoAndAlone) {
   for (const Scene& scene : {torn(), resting_bar(), held_and_driven()}) {
     Solver<double> alone(scene);
-    const StateBytes bytes = solved_on<double>(3, {Partition::By::random, 4}, scene, [&](Solver<double>& solver) {
-      for (int step = 0; step < 9; ++step) {
-        solver.step();
-        alone.step();
-      }
-      return saved(solver);
-    });
+    const StateBytes bytes = state_of_three_ranks(scene, alone);
     run(alone);
     Solver<double> other(scene);
     StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});

@@ -23,10 +23,15 @@ class RanksOnGpus : public testing::Test {
   ~RanksOnGpus() override { emulated::set_order(Order::forward); }
 };
 
-TEST_F(RanksOnGpus, HaveTheSameBitsInAnyOrderOfThreads) {
+Scene torn_on_gpu() {
   Scene scene = torn();
   scene.device = Device::cuda;
   scene.time.end = 10e-6;
+  return scene;
+}
+
+TEST_F(RanksOnGpus, HaveTheSameBitsInAnyOrderOfThreads) {
+  const Scene scene = torn_on_gpu();
   Solver<double> alone(scene);
   const Outcome expected = outcome_of(alone);
   for (const auto& [order, seed] :
@@ -102,9 +107,7 @@ TEST_F(RanksOnGpus, CopyForcesOnceThereAndOnceBack) {
 TEST_F(RanksOnGpus, CopyNothingWhereMessagesReachTheDevice) { expect_in_a_step(3, true, 4, 3); }
 
 TEST_F(RanksOnGpus, HaveTheSameBitsWhereMessagesReachTheDevice) {
-  Scene scene = torn();
-  scene.device = Device::cuda;
-  scene.time.end = 10e-6;
+  const Scene scene = torn_on_gpu();
   Solver<double> alone(scene);
   const Outcome expected = outcome_of(alone);
   const Outcome found = on_ranks(
