@@ -8,6 +8,7 @@
 #include <tests/parallel/outcome.hpp>
 #include <tests/parallel/shared_scenes.hpp>
 #include <tests/support/changing_scene.hpp>
+#include <tests/support/folder_case.hpp>
 #include <tests/support/tetrahedra_case.hpp>
 
 #include "device_case.hpp"
@@ -21,7 +22,7 @@ using namespace test;
 
 const std::vector<Shared> few_ranks{{1, {}}, {2, {}}, {3, {Partition::By::random, 1}}, {4, {Partition::By::graph, 0}}};
 
-class RanksOnDevices : public testing::TestWithParam<Device> {
+class RanksOnDevices : public FolderTest, public testing::WithParamInterface<Device> {
  protected:
   Scene on_device(Scene scene) const {
     scene.device = GetParam();
@@ -64,7 +65,7 @@ TEST_P(RanksOnDevices, HaveLoadsConstraintsPressuresGravityDampingAndWalls) {
 
 /// Of the bodies that do not touch.
 TEST_P(RanksOnDevices, HaveWhatBeginsAndEnds) {
-  const std::string path = testing::TempDir() + "changing_on_" + device_name(GetParam()) + ".toml";
+  const std::string path = folder_ / "changing.toml";
   std::ofstream(path) << changing_scene;
   Scene scene = read_scene(path);
   scene.contact.method = ContactMethod::none;

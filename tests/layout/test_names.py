@@ -1,4 +1,5 @@
-"""Test files of a folder are one program: each has a namespace of its own name, and no other has a test of the same name.
+"""Test files of a folder are one program: each has a namespace of its own name, no other has a test of the same name, and
+files that tests write lie in folders of their own, since tests run side by side.
 
     test_names.py [TREE]          prints what is not so; exit status 1 if there is something
 """
@@ -25,6 +26,8 @@ def problems(tree):
             other = first.setdefault((file.parent, test), place)
             if other != place:
                 wrong.append(f"{place}: {'.'.join(test)} is in {other}, too")
+        if "TempDir()" in text:
+            wrong.append(f"{place}: TempDir() is the folder of all tests: FolderTest has one for each")
     return wrong
 
 

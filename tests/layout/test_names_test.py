@@ -27,6 +27,10 @@ class Planted(unittest.TestCase):
                             "tests/scene/c_test.cpp": "TEST(Mesh, IsRead) {\n"})
         self.assertEqual(found, ["tests/mesh/b_test.cpp: Mesh.IsRead is in tests/mesh/a_test.cpp, too"])
 
+    def test_folder_of_all(self):
+        found = self.found({"tests/mesh/a_test.cpp": "const std::string path = testing::TempDir() + name;\n"})
+        self.assertEqual(found, ["tests/mesh/a_test.cpp: TempDir() is the folder of all tests: FolderTest has one for each"])
+
 
 if __name__ == "__main__":
     sys.exit(unittest.main())

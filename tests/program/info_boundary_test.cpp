@@ -5,6 +5,7 @@
 #include <string>
 
 #include <solver/program/commands.hpp>
+#include <tests/support/folder_case.hpp>
 
 /// What `pinball info` says of what holds, moves and loads bodies: with the units of what was given.
 namespace pinball::info_boundary_test {
@@ -12,9 +13,11 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string info_of(const std::string& tables) {
-  const std::string path = testing::TempDir() + "info_boundary.toml";
-  std::ofstream(path) << R"(units = "kg-m-s"
+class InfoBoundary : public test::FolderTest {
+ protected:
+  std::string info_of(const std::string& tables) const {
+    const std::string path = folder_ / "scene.toml";
+    std::ofstream(path) << R"(units = "kg-m-s"
 time.end = 1e-4
 [[material]]
 name = "steel"
@@ -27,25 +30,26 @@ name = "cube"
 material = "steel"
 mesh = { type = "block", size = [0.1, 0.1, 0.1], elements = [1, 1, 1] }
 )" << tables;
-  InfoOptions options;
-  options.scene = path;
-  testing::internal::CaptureStdout();
-  info_command(options);
-  return testing::internal::GetCapturedStdout();
-}
+    InfoOptions options;
+    options.scene = path;
+    testing::internal::CaptureStdout();
+    info_command(options);
+    return testing::internal::GetCapturedStdout();
+  }
 
-std::string moved(const std::string& quantity) {
-  return info_of("[[prescribed_velocity]]\nbody = \"cube\"\nvelocity = [0.0, 0.0, 3.0]\n" + quantity);
-}
+  std::string moved(const std::string& quantity) const {
+    return info_of("[[prescribed_velocity]]\nbody = \"cube\"\nvelocity = [0.0, 0.0, 3.0]\n" + quantity);
+  }
+};
 
-TEST(InfoBoundary, GivesAPrescribedMotionAsWhatItIs) {
+TEST_F(InfoBoundary, GivesAPrescribedMotionAsWhatItIs) {
   EXPECT_THAT(moved(""), HasSubstr("prescribed velocity (0, 0, 3) m/s of 8 nodes"));
   EXPECT_THAT(moved("quantity = \"displacement\"\n"), HasSubstr("prescribed displacement (0, 0, 3) m of 8 nodes"));
   EXPECT_THAT(moved("quantity = \"acceleration\"\n"), HasSubstr("prescribed acceleration (0, 0, 3) m/s^2 of 8 nodes"));
 }
 
-TEST(InfoBoundary, GivesTheMotionOfARigidBodyAsWhatItIs) {
-  const auto rigid = [](const std::string& motion) {
+TEST_F(InfoBoundary, GivesTheMotionOfARigidBodyAsWhatItIs) {
+  const auto rigid = [this](const std::string& motion) {
     return info_of("[[rigid_body]]\nname = \"r\"\nbodies = [\"cube\"]\n[[rigid_motion]]\nrigid_body = \"r\"\n" +
                    motion);
   };
@@ -59,7 +63,7 @@ TEST(InfoBoundary, GivesTheMotionOfARigidBodyAsWhatItIs) {
               HasSubstr("turns about (0, 0, 1) with displacement 2 rad (constant)"));
 }
 
-TEST(InfoBoundary, SaysWhatItActsOnAlongWhatAndFromWhenOn) {
+TEST_F(InfoBoundary, SaysWhatItActsOnAlongWhatAndFromWhenOn) {
   EXPECT_THAT(info_of("[[constraint]]\ntype = \"fixed\"\nbody = \"cube\"\ndirections = [\"z\"]\n"),
               HasSubstr("fixed: 8 nodes of body cube along (0, 0, 1)\n"));
   EXPECT_THAT(info_of("[[gravity]]\nacceleration = [0.0, 0.0, -9.81]\nbodies = [\"cube\"]\n"),
@@ -78,7 +82,7 @@ TEST(InfoBoundary, SaysWhatItActsOnAlongWhatAndFromWhenOn) {
               HasSubstr(", moves with velocity 3 m/s (constant)"));
 }
 
-TEST(InfoBoundary, SaysWhenAPairMayTouch) {
+TEST_F(InfoBoundary, SaysWhenAPairMayTouch) {
   EXPECT_THAT(info_of("[[contact.pair]]\nname = \"p\"\nfirst = \"cube\"\nstart = 1e-5\nend = 5e-5\n"),
               HasSubstr("of its first side alone, from time 1e-05, up to time 5e-05\n"));
 }

@@ -9,13 +9,16 @@
 #include <solver/formats/mesh_reader.hpp>
 #include <solver/program/commands.hpp>
 #include <tests/support/error_of.hpp>
+#include <tests/support/folder_case.hpp>
 
 namespace pinball::info_mesh_test {
 namespace {
 
 using testing::HasSubstr;
 
-TEST(InfoMesh, ListsWhatAMeshFileHolds) {
+class InfoMesh : public test::FolderTest {};
+
+TEST_F(InfoMesh, ListsWhatAMeshFileHolds) {
   InfoOptions options;
   options.scene = PINBALL_SOURCE_DIR "/data/scenes/crushed_tube.msh";
   testing::internal::CaptureStdout();
@@ -33,7 +36,7 @@ TEST(InfoMesh, ListsWhatAMeshFileHolds) {
   for (const MeshGroup& group : groups_of(file)) EXPECT_THAT(text, HasSubstr(group.name)) << text;
 }
 
-TEST(InfoMesh, ListsADeckThatIsAMeshAlone) {
+TEST_F(InfoMesh, ListsADeckThatIsAMeshAlone) {
   InfoOptions options;
   options.scene = PINBALL_SOURCE_DIR "/data/decks/parts/solids.k";
   testing::internal::CaptureStdout();
@@ -42,16 +45,16 @@ TEST(InfoMesh, ListsADeckThatIsAMeshAlone) {
 }
 
 /// A deck of the program's own, by its name: what is wrong is not that the name is no file here.
-TEST(InfoMesh, ADeckThatCannotBeRunSaysWhy) {
+TEST_F(InfoMesh, ADeckThatCannotBeRunSaysWhy) {
   InfoOptions options;
   options.scene = "cases.k";
   options.chosen_case = 99;
   EXPECT_THAT(test::error_of([&] { info_command(options); }), HasSubstr("--case 99: it has "));
 }
 
-TEST(InfoMesh, NoFormatsOfOthersAreTakenForScenes) {
+TEST_F(InfoMesh, NoFormatsOfOthersAreTakenForScenes) {
   for (const char* ending : {"bdf", "cdb", "unv", "med", "gz"}) {
-    const std::string path = testing::TempDir() + "some." + ending;
+    const std::string path = folder_ / (std::string("some.") + ending);
     std::FILE* file = std::fopen(path.c_str(), "wb");
     std::fputs("SOME BULK\n", file);
     std::fclose(file);
