@@ -18,14 +18,19 @@ namespace pinball {
 ///
 /// All of it is one range of addresses with one protection key of the processor, which each thread opens for itself
 /// while it works on a piece of a kernel. Where there are no keys (PINBALL_MOCK_WITHOUT_KEYS: tests leave them out),
-/// the range is opened for all threads while any of them is in a kernel, by mprotect. Pages are huge where the system
-/// grants them, so that this is quick.
+/// the range is opened for all threads while any of them is in a kernel, by mprotect: some 10 us a time and, on some
+/// virtual machines, as long again for what the system then has to do. So it is closed after each of the first
+/// always_closed kernels and copies, which are the first steps of a run, and after closed_in_turn of each turn of those
+/// that follow: all that a step does is looked at again and again. Pages are huge where the system grants them.
 class MockMemory {
  public:
   static MockMemory& instance() {
     static MockMemory& memory = *new MockMemory;  // arrays with static lifetime may be gone last
     return memory;
   }
+  /// Where there are no keys: kernels and copies after which the range is closed, from the first and in each turn.
+  static constexpr std::int64_t always_closed = 2048, turn = 4096, closed_in_turn = 128;
+
   /// Keys of the processor protect it: other threads may not touch it either while one is in a kernel.
   bool has_keys() const { return key_ >= 0; }
 
@@ -101,7 +106,7 @@ class MockMemory {
   void extend(std::size_t end) {
     const std::size_t before = used_;
     used_ = (end + huge_page - 1) / huge_page * huge_page;
-    if (!protect(before, used_, has_keys() || open_ > 0)) {
+    if (!protect(before, used_, has_keys() || !closed_)) {
       used_ = before;
       throw std::bad_alloc();
     }
@@ -118,12 +123,18 @@ class MockMemory {
   void open_for_all() {
     if (has_keys()) return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (open_++ == 0) protect(0, used_, true);
+    if (open_++ > 0 || !closed_) return;
+    protect(0, used_, true);
+    closed_ = false;
   }
   void close_for_all() {
     if (has_keys()) return;
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (--open_ == 0) protect(0, used_, false);
+    if (--open_ > 0) return;
+    const std::int64_t now = times_++;
+    if (now >= always_closed && now % turn >= closed_in_turn) return;
+    protect(0, used_, false);
+    closed_ = true;
   }
   /// Scopes in which the calling thread is.
   static int& depth() {
@@ -151,7 +162,9 @@ class MockMemory {
   std::size_t pieces_ = 0;  ///< given out and not released
   Piece released_[most_released] = {};
   std::size_t released_count_ = 0;
-  std::int64_t open_ = 0;  ///< scopes for which all threads may touch it
+  std::int64_t open_ = 0;   ///< scopes for which all threads may touch it
+  std::int64_t times_ = 0;  ///< that the last of such scopes ended
+  bool closed_ = true;      ///< for all threads
 };
 
 struct MockSpace {

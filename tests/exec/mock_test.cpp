@@ -63,6 +63,22 @@ TEST(Mock, KillsAHostThatTouchesItsMemory) {
   EXPECT_CLOSED(read(array, 0)) << "after a copy";
 }
 
+/// Also where mprotect closes it, which takes long: then it stays open in between.
+TEST(Mock, KillsAHostAgainAndAgainInALongRun) {
+  MockArray array(3);
+  const auto times = [&](std::int64_t kernels) {
+    for (std::int64_t i = 0; i < kernels; ++i) parallel_for("fill", RangePolicy<Mock>{0, 3}, Fill{array.data()});
+  };
+  times(MockMemory::always_closed - 10);
+  EXPECT_CLOSED(read(array, 0));
+  times(MockMemory::turn / 4);
+  if (!MockMemory::instance().has_keys()) {
+    EXPECT_EQ(read(array, 2), 6) << "open in between";
+  }
+  times(MockMemory::turn - (MockMemory::always_closed + MockMemory::turn / 4) % MockMemory::turn + 20);
+  EXPECT_CLOSED(read(array, 0));
+}
+
 TEST(Mock, IsClosedAfterAKernelThatThrows) {
   MockArray array(100);
   for (const int threads : {1, 3}) {
