@@ -330,6 +330,7 @@ int run_program(int argc, char** argv, std::unique_ptr<pinball::Ranks>& ranks) {
   if (*run) pinball::start_again_with_short_waits(argv, options.threads);
   if (*compare) pinball::start_again_with_short_waits(argv, comparison.threads);
   if (*converge) pinball::start_again_with_short_waits(argv, study.threads);
+  if (*info) pinball::start_again_with_short_waits(argv, 0);
   pinball::catch_stop_signals(*run || *converge ? pinball::AtSignal::ask : pinball::AtSignal::end);
   ranks = pinball::join_ranks();
   if (ranks) take_ranks(*ranks, partition, static_cast<bool>(*run));

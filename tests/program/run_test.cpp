@@ -208,6 +208,7 @@ TEST_F(Program, ThreadsOfARunSpinBrieflyWhereTheEnvironmentSaysNothing) {
   EXPECT_THAT(run_in("", "run --threads 2 " + scene).text, testing::EndsWith(" 1000 "));
   EXPECT_THAT(run_in("OMP_NUM_THREADS=2", "run " + scene).text, testing::EndsWith(" 1000 "));
   EXPECT_THAT(run_in("", "compare two_blocks --quiet --repeat 1 --threads 2").text, testing::EndsWith(" 1000 "));
+  EXPECT_THAT(run_in("OMP_NUM_THREADS=2", "info two_blocks").text, testing::EndsWith(" 1000 "));
   EXPECT_EQ(run_in("GOMP_SPINCOUNT=77", "run --threads 2 " + scene).text, "77 ");
   EXPECT_EQ(run_in("OMP_WAIT_POLICY=passive", "run --threads 2 " + scene).text, "0 ");
   const std::string alone = run_in("", "run --threads 1 " + scene).text;
