@@ -105,7 +105,7 @@ class RunPage(Pages):
         self.assertLess(pixels(), before)
 
     def test_filters_the_keys_of_the_scene(self):
-        rows = lambda: [row.text for row in self.all("#keys tbody tr") if row.is_displayed()]
+        rows = lambda: [text for text, _ in self.shown("#keys tbody tr")]
         everything = rows()
         self.assertGreater(len(everything), 60)
         self.one("#scene_keys input[type=search]").send_keys("contact skin")
@@ -186,17 +186,15 @@ class Panels(Pages):
         self.with_blocks(name, history=change)
 
     def ticks(self, panel, axis="y"):
-        labels = panel.find_elements(By.CSS_SELECTOR, f".dygraph-axis-label-{axis}")
-        return [label.text for label in labels if label.is_displayed()]
+        return [text for text, _ in self.shown(f".dygraph-axis-label-{axis}", panel)]
 
     def expect_readable(self, panel):
         ticks = self.ticks(panel)
         self.assertGreater(len(ticks), 2)
         self.assertEqual(len(set(ticks)), len(ticks), ticks)
-        for label in panel.find_elements(By.CSS_SELECTOR, ".dygraph-axis-label-y"):
-            self.assertLess(label.size["height"], 24, f"{label.text} is on one line")
+        for text, height in self.shown(".dygraph-axis-label-y", panel):
+            self.assertLess(height, 24, f"{text} is on one line")
         self.assertEqual(len(set(self.ticks(panel, "x"))), len(self.ticks(panel, "x")))
-        self.expect_curves()
 
     def test_ticks_differ_whatever_the_numbers_are(self):
         kinds = {
@@ -210,6 +208,7 @@ class Panels(Pages):
                 self.with_columns("kinds", dt=values, balance_error=values)
                 for title in ("Time step", "Error of the balance, of the initial total"):
                     self.expect_readable(self.panel(title))
+                self.expect_curves()
 
     def test_ticks_of_a_comparison_differ_where_curves_hardly_do(self):
         run("compare", "two_blocks", "--vary", "time.cfl=0.5,0.6", "--repeat", "1", "--quiet", "--page", "narrow.html", "--set",
@@ -225,6 +224,7 @@ class Panels(Pages):
             page.write_text(f'{head}id="curves">{json.dumps(curves)}</script>{tail}')
             self.open("narrow.html")
             self.expect_readable(self.panel("total energy"))
+            self.expect_curves()
 
     def test_hovering_and_axes_have_one_unit(self):
         self.with_columns("units", dt=lambda i, n: 2e-7 * (i + 1), time=lambda i, n: 1e-6 * i)
