@@ -14,12 +14,17 @@ from .kernels import KERNELS
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BASE = "no-vectorization"  # one lane: what vectorization is compared with
 NATIVE = "release"  # all that this processor has
-PRESETS = [BASE, "avx2", NATIVE]
+PRESETS = [BASE, "avx2", NATIVE]  # those that are compared
 TARGETS = ["pinball", "bench_kernels"]
 
 
 class Failed(Exception):
     """What went wrong, in words for whoever ran the program."""
+
+
+def leave_out(preset):
+    """It is not built, nor compared."""
+    PRESETS.remove(preset)
 
 
 def folder(preset):

@@ -69,21 +69,21 @@ def stages_section(n):
 
 
 def kernels_table(n):
-    rows = []
+    rows, wider = [], []
     for i, kernel in enumerate(n.value("vectorization", "kernels")):
         at = ("vectorization", "kernels", i)
         judged = kernel["vectorized"]
+        wider = [preset for preset in kernel["builds"] if preset != BASE]
         code = [n.count(*at, "builds", NATIVE, "code", name)
                 for name in ("packed_zmm", "packed_ymm", "packed_xmm", "scalar")]
         rows.append([escape(kernel["title"]) + (" *" if kernel["contact"] else ""), judged["compiler"],
                      judged["machine_code"], " / ".join(code),
                      n.count(*at, "builds", NATIVE, "code", "gathers") + " / "
                      + n.count(*at, "builds", NATIVE, "code", "scatters"),
-                     judged["speed"], n.show(*at, "builds", "avx2", "speed_up", form=two_digits),
-                     n.show(*at, "builds", NATIVE, "speed_up", form=two_digits),
+                     judged["speed"], *(n.show(*at, "builds", preset, "speed_up", form=two_digits) for preset in wider),
                      f"<b>{judged['verdict']}</b>", n.percent(*at, "builds", NATIVE, "lanes_used")])
     return table(["kernel (* contact of pinball)", "compiler", "machine code", "packed zmm / ymm / xmm / scalar",
-                  "gathers / scatters", "speed-up says", "avx2", "release", "vectorized", "lanes used"], rows,
+                  "gathers / scatters", "speed-up says", *wider, "vectorized", "lanes used"], rows,
                  "Is it vectorized? Floating-point arithmetic instructions are those of build/release; speed-ups are over one "
                  "lane, one thread.")
 

@@ -115,7 +115,7 @@ class QuickForm(bench_page.QuickForm, unittest.TestCase):
             code = kernel["builds"]["no-vectorization"]["code"]
             self.assertEqual((code["packed_zmm"], code["packed_ymm"]), (0, 0), kernel["key"])
         self.assertEqual(self.results["stages"][0]["builds"]["no-vectorization"]["simd_width"], 1)
-        self.assertEqual(self.results["stages"][0]["builds"]["avx2"]["simd_width"], 4)
+        self.assertEqual(list(self.results["stages"][0]["builds"]), ["no-vectorization", "release"], "avx2 takes minutes to build")
 
     def test_stages_are_the_whole(self):
         for series in self.results["stages"]:
@@ -132,7 +132,7 @@ class QuickForm(bench_page.QuickForm, unittest.TestCase):
             self.assertEqual(float(row["ratio_contact"]), column["ratio"]["contact"])
         kernels = {k["key"]: k for k in self.results["vectorization"]["kernels"]}
         rows = bench_command.rows_of(OUT, "kernels.csv")
-        self.assertEqual(len(rows), 3 * len(kernels))
+        self.assertEqual(len(rows), sum(len(kernel["builds"]) for kernel in kernels.values()))
         for row in rows:
             self.assertEqual(float(row["speed_up"]), kernels[row["kernel"]]["builds"][row["build"]]["speed_up"])
         for row in bench_command.rows_of(OUT, "stages.csv"):
