@@ -1,5 +1,5 @@
 """Makes the wheel, installs it where there is nothing else, and runs a scene of its own with it:
-    wheel_test.py BUILD_FOLDER|new FOLDER"""
+    wheel_test.py BUILD_FOLDER FOLDER [TREE]        of this tree or another; the build folder is configured if it is not"""
 
 import os
 import pathlib
@@ -9,13 +9,12 @@ import sys
 import zipfile
 
 build, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-root = pathlib.Path(__file__).resolve().parent.parent.parent
+root = sys.argv[3] if sys.argv[3:] else pathlib.Path(__file__).resolve().parent.parent.parent
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 environment = {key: value for key, value in os.environ.items() if not key.startswith(("PINBALL", "PYTHON", "PIP"))}
-settings = [] if build == "new" else [f"--config-settings=build={build}"]
 subprocess.run([sys.executable, "-m", "pip", "wheel", root, "--no-build-isolation", "--no-deps", "--no-index", "--quiet",
-                "--disable-pip-version-check", "--wheel-dir", folder, *settings], check=True, env=environment)
+                "--disable-pip-version-check", "--wheel-dir", folder, f"--config-settings=build={build}"], check=True, env=environment)
 (wheel,) = folder.glob("*.whl")
 with zipfile.ZipFile(wheel) as content:
     assert content.testzip() is None
