@@ -4,9 +4,8 @@
 #include <vector>
 
 #include <solver/formats/lsdyna/scan/keyword_deck.hpp>
+#include <solver/mesh/file/shell_layers.hpp>
 #include <solver/mesh/number_index.hpp>
-
-#include "shell_layers.hpp"
 
 namespace pinball {
 

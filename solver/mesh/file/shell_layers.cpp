@@ -116,10 +116,16 @@ struct Corner {
   std::int32_t below = 0, above = 0;
 };
 
-/// The layers by the nodes of their shells, in ascending order.
-std::map<std::array<std::int32_t, 4>, std::array<std::int32_t, 8>> layers_of_shells(const MeshFile& file) {
+/// The nodes of shells by those below them.
+std::map<std::int32_t, std::int32_t> middles_of_layers(const MeshFile& file) {
   std::map<std::int32_t, std::int32_t> middle;
   for (const LayerNodes& layer : file.layers) middle[layer.below] = layer.middle;
+  return middle;
+}
+
+/// The layers by the keys of their shells. middle: of middles_of_layers().
+std::map<std::array<std::int32_t, 4>, std::array<std::int32_t, 8>> layers_of_shells(
+    const MeshFile& file, const std::map<std::int32_t, std::int32_t>& middle) {
   std::map<std::array<std::int32_t, 4>, std::array<std::int32_t, 8>> all;
   for (const auto& n : file.mesh.hexahedra) {
     std::array<std::int32_t, 4> of_shell{};
@@ -129,13 +135,32 @@ std::map<std::array<std::int32_t, 4>, std::array<std::int32_t, 8>> layers_of_she
       is_layer = found != middle.end();
       if (is_layer) of_shell[k] = found->second;
     }
-    std::ranges::sort(of_shell);
-    if (is_layer) all[of_shell] = n;
+    if (is_layer) all[key_of_shell(of_shell)] = n;
   }
   return all;
 }
 
 }  // namespace
+
+bool is_flat_layer(const std::array<std::int32_t, 8>& hexahedron) {
+  return std::equal(hexahedron.begin(), hexahedron.begin() + 4, hexahedron.begin() + 4);
+}
+
+std::array<std::int32_t, 4> key_of_shell(std::array<std::int32_t, 4> corners) {
+  std::ranges::sort(corners);
+  const auto end = std::ranges::unique(corners).begin();
+  std::fill(end, corners.end(), std::int32_t{-1});
+  return corners;
+}
+
+bool go_round_alike(const std::array<std::int32_t, 4>& a, const std::array<std::int32_t, 4>& b) {
+  const auto behind = [](const std::array<std::int32_t, 4>& face, std::int32_t node) {
+    std::size_t k = std::ranges::find(face, node) - face.begin();
+    while (face[k] == node) k = (k + 1) % 4;
+    return face[k];
+  };
+  return behind(a, a[0]) == behind(b, a[0]);
+}
 
 void add_shell_layers(const std::vector<RigidShell>& shells, MeshFile& file) {
   if (shells.empty()) return;
@@ -153,11 +178,13 @@ void add_shell_layers(const std::vector<RigidShell>& shells, MeshFile& file) {
   std::int64_t number = *std::ranges::max_element(file.node_ids);
   for (auto& [key, corner] : corners) {
     Point mean{};
-    double thickness = 0;
+    double thickness = 0, shift = 0;
     for (const std::size_t s : corner.shells) {
       const Point normal = surface.normal(s);
+      const double share = static_cast<double>(corner.shells.size());
       for (std::size_t k = 0; k < 3; ++k) mean[k] += normal[k];
-      thickness += shells[s].thickness / static_cast<double>(corner.shells.size());
+      thickness += shells[s].thickness / share;
+      shift += (surface.is_turned(s) ? -shells[s].shift : shells[s].shift) / share;
     }
     make_orthogonal(mean, {});
     double steepest = 1;
@@ -166,7 +193,7 @@ void add_shell_layers(const std::vector<RigidShell>& shells, MeshFile& file) {
     for (const double side : {-half, half}) {
       (side < 0 ? corner.below : corner.above) = static_cast<std::int32_t>(file.mesh.nodes.size());
       Point place = places[corner.node];
-      for (std::size_t k = 0; k < 3; ++k) place[k] += side * mean[k];
+      for (std::size_t k = 0; k < 3; ++k) place[k] += (side + 2 * half * shift) * mean[k];
       file.mesh.nodes.push_back(place);
       file.node_ids.push_back(++number);
     }
@@ -185,17 +212,21 @@ void add_shell_layers(const std::vector<RigidShell>& shells, MeshFile& file) {
       hexahedron[k] = corner.below;
       hexahedron[k + 4] = corner.above;
     }
+    ++file.parts[shells[s].part].shells;
+    if (shells[s].element >= 0) {
+      file.mesh.hexahedra[shells[s].element] = hexahedron;
+      continue;
+    }
     if (file.lines_of.empty() || file.lines_of.back().file != shells[s].file)
       file.lines_of.push_back({static_cast<std::int32_t>(file.mesh.hexahedra.size()), shells[s].file});
     file.mesh.hexahedra.push_back(hexahedron);
     file.element_ids.push_back(taken.contains(shells[s].id) ? ++element : shells[s].id);
     file.part.push_back(shells[s].part);
     file.line.push_back(shells[s].line);
-    ++file.parts[shells[s].part].shells;
   }
 }
 
-void put_layers_into_sets(MeshFile& file) {
+void put_layers_into_sets(MeshFile& file, LayerFaces faces, const std::vector<std::int32_t>& kept) {
   if (file.layers.empty()) return;
   std::multimap<std::int32_t, const LayerNodes*> of_node;
   for (const LayerNodes& layer : file.layers) of_node.emplace(layer.middle, &layer);
@@ -209,25 +240,30 @@ void put_layers_into_sets(MeshFile& file) {
       const auto [first, end] = of_node.equal_range(node);
       for (auto at = first; at != end; ++at) more.insert(more.end(), {at->second->below, at->second->above});
     }
-    std::erase_if(set.members, [&](std::int32_t node) { return !used[node] && of_node.contains(node); });
+    std::erase_if(set.members, [&](std::int32_t node) {
+      return !used[node] && of_node.contains(node) && !std::ranges::binary_search(kept, node);
+    });
     set.members.insert(set.members.end(), more.begin(), more.end());
     std::ranges::sort(set.members);
     set.members.erase(std::unique(set.members.begin(), set.members.end()), set.members.end());
   }
-  const auto layers = layers_of_shells(file);
+  const std::map<std::int32_t, std::int32_t> middle = middles_of_layers(file);
+  const auto layers = layers_of_shells(file, middle);
   for (FaceSet& set : file.face_sets) {
     std::vector<std::array<std::int32_t, 4>> others;
     for (const std::array<std::int32_t, 4>& face : set.faces) {
       std::array<std::int32_t, 4> of_shell = face;
-      if (of_shell[3] == of_shell[2] || of_shell[3] < 0) of_shell[3] = of_shell[2];
-      std::ranges::sort(of_shell);
-      const auto found = layers.find(of_shell);
+      if (of_shell[3] < 0) of_shell[3] = of_shell[2];
+      const auto found = layers.find(key_of_shell(of_shell));
       if (found == layers.end()) {
         others.push_back(face);
       } else {
         const auto& n = found->second;
-        others.push_back({n[0], n[3], n[2], n[1]});
-        others.push_back({n[4], n[5], n[6], n[7]});
+        std::array<std::int32_t, 4> from_above{};
+        for (std::size_t k = 0; k < 4; ++k) from_above[k] = middle.at(n[k]);
+        const bool is_above = go_round_alike(of_shell, from_above);
+        if (faces == LayerFaces::both || !is_above) others.push_back({n[0], n[3], n[2], n[1]});
+        if (faces == LayerFaces::both || is_above) others.push_back({n[4], n[5], n[6], n[7]});
       }
     }
     set.faces = std::move(others);
