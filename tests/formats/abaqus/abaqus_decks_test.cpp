@@ -171,6 +171,21 @@ TEST_F(AbaqusDecks, PressureGivesItsMomentum) {
   }
 }
 
+/// What falls is all that hangs together; what is moved goes its way.
+TEST_F(AbaqusDecks, RigidElementsWeighWhatTheirReferenceNodesDo) {
+  const RunSummary summary = summarize(run_of("rigid_elements"));
+  const double cube = 7.85e-9, hammer = 5e-9, time = 1e-3, gravity = 9810;
+  const auto of = [&](const std::string& name) {
+    return *std::ranges::find(summary.rigid_bodies, name, &RigidBodyResult::name);
+  };
+  EXPECT_NEAR(of("Hammer_Sides").mass, hammer + cube / 2, 1e-9 * hammer);
+  const double plate = of("Plate_All").mass, falling = -(hammer + cube) * gravity * time;
+  EXPECT_NEAR(summary.momentum_final[2] - plate * 200, falling, 1e-3 * std::abs(falling));
+  EXPECT_NEAR(of("Hammer_Sides").velocity[2], -gravity * time, 2e-3 * gravity * time) << "the cube swings below it";
+  const double behind = 0.25 * (2 + std::sqrt(2.0)) / 3 / 2;  // half of the layer
+  EXPECT_NEAR(of("Plate_All").centre[2], 200 * time - behind, 1e-9);
+}
+
 /// The punch goes by the integral of a velocity that grows, and stops; the third one's centre is half a length and a
 /// half from its reference node.
 TEST_F(AbaqusDecks, RigidBodiesMoveAsTheirReferenceNodes) {

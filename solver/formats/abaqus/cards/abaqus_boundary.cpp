@@ -202,6 +202,9 @@ class Boundary {
     for (const std::int32_t node : line.nodes.members) {
       AbaqusRigidBody& rigid = *data_.rigid_at(node);
       rigid.translations |= line.held.directions & 7U;
+      for (unsigned k = 0; k < 6; ++k) {
+        if ((line.held.directions >> k & 1U) != 0) rigid.guided[k] += line.end.value_or(data_.end()) - line.start;
+      }
       if (!line.moves && line.start == 0 && !line.end) {
         rigid.held |= line.held.directions;
         continue;

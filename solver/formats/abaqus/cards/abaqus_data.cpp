@@ -83,6 +83,11 @@ void AbaqusData::name_bodies() {
     const AbaqusSection& section = mesh.sections[s];
     std::string name = plain_name(section.part);
     if (!taken.insert(name).second) taken.insert(name += fmt::format("_{}", s));
+    if (section.is_rigid()) {
+      bodies.push_back({name, section.part, "", s});
+      report.understood(fmt::format("{}: body {} of {} rigid elements", section.part, name, elements[s]));
+      continue;
+    }
     bodies.push_back({name, section.part, label_key(section.block->require("MATERIAL")), s});
     report.understood(fmt::format("{}: body {} of {} solids, material {}", section.part, name, elements[s],
                                   material_name(bodies.back().material)));

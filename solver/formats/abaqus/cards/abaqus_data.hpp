@@ -22,8 +22,9 @@ namespace pinball {
 struct AbaqusBody {
   std::string name;      ///< in the scene
   std::string part;      ///< name of its elements in the mesh
-  std::string material;  ///< key of the label
+  std::string material;  ///< key of the label; empty: of rigid elements
   std::size_t section;   ///< place in the sections of the mesh
+  bool is_rigid_elements() const { return material.empty(); }
 };
 
 /// An amplitude as a factor over time.
@@ -50,13 +51,18 @@ struct AbaqusNodes {
 struct AbaqusRigidBody {
   DeckCard card;
   std::vector<std::string> bodies;
-  std::string name{}, nodes{};  ///< of a *COUPLING: its own in the scene, and that of its set in the mesh
-  std::int32_t node = -1;       ///< place of the reference node in the mesh
-  Point offset{};               ///< of it from the centre of mass [length]
-  unsigned held = 0;            ///< at all times: bits of x, y, z, and behind these of rotations about them
-  unsigned translations = 0;    ///< the same of directions that are held or moved at any time
-  unsigned angles = 0;          ///< the same of rotations that are given as angles
-  bool is_wall = false;         ///< of an analytical surface, without bodies
+  std::vector<std::int32_t> tied{};  ///< nodes of parts that deform which move with it, ascending
+  std::vector<bool> own{};           ///< per node of the mesh: whether its elements have it; empty: of nodes alone
+  double mass = 0;                   ///< of MASS elements at its reference node [mass]
+  std::array<Point, 3> inertia{};    ///< of ROTARYI elements there [mass length^2]
+  std::array<double, 6> guided{};    ///< for how long each direction, and rotation, is held or moved [time]
+  std::string name{}, nodes{};       ///< of a *COUPLING: its own in the scene, and that of its set in the mesh
+  std::int32_t node = -1;            ///< place of the reference node in the mesh
+  Point offset{};                    ///< of it from the centre of mass [length]
+  unsigned held = 0;                 ///< at all times: bits of x, y, z, and behind these of rotations about them
+  unsigned translations = 0;         ///< the same of directions that are held or moved at any time
+  unsigned angles = 0;               ///< the same of rotations that are given as angles
+  bool is_wall = false;              ///< of an analytical surface, without bodies
   bool is_coupling() const { return !name.empty(); }
   std::optional<Point> velocity{}, angular_velocity{};  ///< of the reference node, at the start
 };
@@ -125,7 +131,9 @@ class AbaqusData {
   /// Reports what is defined and nothing has named: when all else is translated.
   void tell_unused_definitions() { definitions_.tell_unused(report); }
   /// Name of a material, or the like, in the scene.
-  std::string material_name(const std::string& key) const { return "mat_" + plain_name(key); }
+  std::string material_name(const std::string& key) const {
+    return key.empty() ? "rigid_elements" : "mat_" + plain_name(key);
+  }
   static std::string plain_name(const std::string& label);
 
  private:

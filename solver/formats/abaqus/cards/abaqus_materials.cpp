@@ -245,11 +245,25 @@ void write_material(AbaqusData& data, const WrittenMaterial& material, DeckScene
   tell_heat(data, material, density);
 }
 
+/// Of bodies of rigid elements, whose masses are given: as light as the lightest and as stiff as the stiffest material.
+void write_rigid_elements(const AbaqusData& data, const DeckCard& card, DeckScene& scene) {
+  double density = 0, modulus = 0;
+  for (const auto& [key, value] : abaqus_densities(data.deck)) density = density > 0 ? std::min(density, value) : value;
+  for (const auto& [key, value] : abaqus_moduli(data.deck)) modulus = std::max(modulus, value);
+  const auto keys = scene.entry<Material>("material", card);
+  keys.set("name", data.material_name(""));
+  keys.set("model", "elastic");
+  keys.set("density", density > 0 ? density : 1.0);
+  keys.set("young_modulus", modulus > 0 ? modulus : 1.0);
+  keys.set("poisson_ratio", 0.3);
+}
+
 /// ALPHA of all materials, which has to be one.
 void write_damping(AbaqusData& data, const std::map<std::string, AbaqusMaterial>& materials, DeckScene& scene) {
   std::set<double> factors;
   const AbaqusBlock* last = nullptr;
   for (const AbaqusBody& body : data.bodies) {
+    if (body.is_rigid_elements()) continue;
     const AbaqusBlock* damping = materials.at(body.material).option("DAMPING");
     factors.insert(damping == nullptr ? 0.0 : damping->number("ALPHA", 0.0));
     if (damping == nullptr) continue;
@@ -304,6 +318,7 @@ void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
   const std::map<std::string, AbaqusMaterial> materials = materials_of(data.deck);
   std::set<std::string> written, orthotropic;
   for (const AbaqusBody& body : data.bodies) {
+    if (body.is_rigid_elements()) continue;
     const auto found = materials.find(body.material);
     const AbaqusBlock& section = *data.mesh.sections[body.section].block;
     if (found == materials.end())
@@ -314,6 +329,11 @@ void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
   const double factor = mass_factor(data);
   for (const AbaqusBody& body : data.bodies) {
     if (!written.insert(body.material).second) continue;
+    if (body.is_rigid_elements()) {
+      const AbaqusBlock& rigid = *data.mesh.sections[body.section].block;
+      write_rigid_elements(data, card_of(rigid, rigid.place), scene);
+      continue;
+    }
     const AbaqusMaterial& material = materials.at(body.material);
     if (const AbaqusBlock* elastic = material.option("ELASTIC"); elastic != nullptr && is_orthotropic(*elastic))
       orthotropic.insert(body.material);

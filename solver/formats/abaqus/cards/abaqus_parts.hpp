@@ -32,6 +32,11 @@ void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_fil
 void find_abaqus_rigid_bodies(AbaqusData& data);
 void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene);
 
+/// MASS and ROTARY INERTIA of elements at the reference nodes of rigid bodies, when these are found.
+void find_abaqus_point_masses(AbaqusData& data);
+/// The mass of a rigid body with rigid elements, or with masses at its reference node, when it is known what is held.
+void set_abaqus_mass(AbaqusData& data, const AbaqusRigidBody& rigid, const DeckKeys<RigidBody>& keys);
+
 /// The [[rigid_wall]] of an analytical surface, for what meets it.
 DeckKeys<RigidWall> begin_wall(AbaqusData& data, AbaqusWall& wall, DeckScene& scene);
 /// Reports those that no contact has.

@@ -19,7 +19,11 @@ class Probes {
   void add_nodes(const AbaqusBlock& block) {
     for (const std::int32_t node : data_.nodes(block.require("NSET"), block.place).members) {
       const std::size_t at = node;
-      if (at >= data_.mesh.given_nodes) continue;
+      if (at >= data_.mesh.given_nodes + 2 * data_.mesh.file.layers.size()) continue;
+      if (at >= data_.mesh.given_nodes) {
+        data_.report.ignore(block.place, block.star_name() + " of nodes of rigid elements");
+        continue;
+      }
       if (!data_.used[at]) {
         data_.report.ignore_node(block.place, block.star_name());
         continue;

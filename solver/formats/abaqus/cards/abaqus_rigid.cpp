@@ -41,6 +41,7 @@ Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& element
       size = std::max(size, norm(minus(corners[c], corners[0])));
     }
   }
+  if (!(mass > 0)) return {};  // of rigid elements, which have none of their own
   for (double& component : first) component /= mass;
   for (const std::int32_t e : elements) {
     for (const std::int32_t node : mesh.hexahedra[e]) {
@@ -59,6 +60,29 @@ std::int32_t reference_of(const AbaqusData& data, const std::string& label, cons
   if (nodes.members.size() != 1)
     fail_at(place, fmt::format("{}: expected one reference node, got {}", star_name, nodes.members.size()));
   return nodes.members[0];
+}
+
+/// Nodes of other elements.
+void tie_node(const AbaqusData& data, std::int32_t node, const DeckPlace& place, AbaqusRigidBody& rigid) {
+  if (rigid.own[node]) return;
+  if (!data.used[node]) return data.report.ignore_node(place, "*RIGID BODY");
+  rigid.tied.push_back(node);
+}
+
+void tie_nodes(const AbaqusData& data, const std::string& label, const DeckPlace& place, AbaqusRigidBody& rigid) {
+  for (const std::int32_t node : data.nodes(label, place).members) {
+    if (node != rigid.node) tie_node(data, node, place, rigid);
+  }
+}
+
+/// Those that rigid elements have in common with solids.
+void tie_common_nodes(const AbaqusData& data, AbaqusRigidBody& rigid) {
+  for (const LayerNodes& layer : data.mesh.file.layers) {
+    if (rigid.own[layer.below] && data.used[layer.middle] && !rigid.own[layer.middle])
+      rigid.tied.push_back(layer.middle);
+  }
+  std::ranges::sort(rigid.tied);
+  rigid.tied.erase(std::unique(rigid.tied.begin(), rigid.tied.end()), rigid.tied.end());
 }
 
 AbaqusRigidBody read_rigid_body(AbaqusData& data, const AbaqusComponent& component, const AbaqusBlock& block) {
@@ -80,10 +104,17 @@ AbaqusRigidBody read_rigid_body(AbaqusData& data, const AbaqusComponent& compone
   const std::vector<std::int32_t> elements = data.elements(set, block.place);
   if (block.option("POSITION") != "CENTEROFMASS")
     rigid.offset = offset_of(data, elements, data.mesh.file.mesh.nodes[rigid.node], [](std::int32_t) { return true; });
+  rigid.own.assign(data.used.size(), false);
   for (const std::int32_t e : elements) {
-    for (const std::int32_t node : data.mesh.file.mesh.hexahedra[e])
+    for (const std::int32_t node : data.mesh.file.mesh.hexahedra[e]) {
       data.rigid_of_node[node] = static_cast<std::int32_t>(data.rigid.size());
+      rigid.own[node] = true;
+    }
   }
+  for (const char* option : {"TIENSET", "PINNSET"}) {  // nodes of solids have no rotations that a pin leaves free
+    if (const auto tied = block.value(option)) tie_nodes(data, label(*tied), block.place, rigid);
+  }
+  tie_common_nodes(data, rigid);
   return rigid;
 }
 
@@ -202,6 +233,7 @@ void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene) {
     const auto keys = scene.entry<RigidBody>("rigid_body", rigid.card);
     if (rigid.is_coupling()) keys.set("name", rigid.name);
     if (!rigid.bodies.empty()) keys.set("bodies", rigid.bodies);
+    set_abaqus_mass(data, rigid, keys);
     if ((rigid.held & 7U) != 0) keys.set("held", direction_names(rigid.held));
     if (rigid.held >> 3U != 0) keys.set("held_rotations", direction_names(rigid.held >> 3U));
     if (rigid.velocity || rigid.angular_velocity) {
@@ -222,6 +254,13 @@ void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene) {
                          "hold its rotations, or give POSITION=CENTER OF MASS");
   }
   for (const AbaqusRigidBody& rigid : data.rigid) {
+    if (!rigid.tied.empty()) {
+      std::vector<std::int64_t> numbers;
+      for (const std::int32_t node : rigid.tied) numbers.push_back(data.mesh.file.node_ids[node]);
+      const auto keys = scene.entry<AttachedNodes>("rigid_nodes", rigid.card);
+      keys.set("rigid_body", rigid.bodies.front());
+      keys.set("nodes", numbers);
+    }
     if (!rigid.is_coupling()) continue;
     const auto keys = scene.entry<AttachedNodes>("rigid_nodes", rigid.card);
     keys.set("rigid_body", rigid.name);

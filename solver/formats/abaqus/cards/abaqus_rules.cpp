@@ -16,12 +16,15 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"NODE", mesh, "in Cartesian coordinates", "NSET INPUT SYSTEM=R"},
       {"ELEMENT", mesh,
        "C3D8R; C3D8 and its variants as elements of assumed strain; C3D6, C3D5 and C3D4 as collapsed hexahedra; C3D10 "
-       "as eight of C3D4, C3D20 and C3D20R as eight of C3D8",
+       "as eight of C3D4, C3D20 and C3D20R as eight of C3D8; R3D4 and R3D3 of a RIGID BODY as a layer of "
+       "solids; MASS and ROTARYI of reference nodes",
        "TYPE ELSET INPUT"},
       {"NSET", mesh, "lists, GENERATE, of an ELSET, of an INSTANCE",
        "NSET ELSET GENERATE INSTANCE INTERNAL UNSORTED INPUT"},
       {"ELSET", mesh, "the same", "ELSET GENERATE INSTANCE INTERNAL UNSORTED INPUT"},
-      {"SURFACE", mesh, "faces S1 to S6, the outside of a set or of all, nodes; CYLINDER of a RIGID BODY",
+      {"SURFACE", mesh,
+       "faces S1 to S6, SPOS and SNEG of rigid elements, the outside of a set or of all, nodes; CYLINDER of a RIGID "
+       "BODY",
        "NAME TYPE=ELEMENT|NODE|CYLINDER INTERNAL"},
       {"PART", done, "", "NAME"},
       {"END PART", done, ""},
@@ -31,10 +34,12 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"END INSTANCE", done, ""},
       {"SOLID SECTION", done, "a body each in every instance", "ELSET MATERIAL CONTROLS ORIENTATION"},
       {"RIGID BODY", done,
-       "an ELSET of whole sections; BOUNDARY and INITIAL CONDITIONS of its REF NODE hold, move and throw it; a "
-       "straight "
-       "ANALYTICAL SURFACE that is held as a wall",
-       "REFNODE ANALYTICALSURFACE ELSET POSITION=INPUT|CENTEROFMASS ISOTHERMAL"},
+       "an ELSET of whole sections, of rigid elements, or both; BOUNDARY and INITIAL CONDITIONS of its REF NODE hold, "
+       "move and throw it; nodes of a TIE NSET or a PIN NSET move with it; a straight ANALYTICAL SURFACE that is held "
+       "as a wall",
+       "REFNODE ANALYTICALSURFACE ELSET POSITION=INPUT|CENTEROFMASS ISOTHERMAL TIENSET PINNSET"},
+      {"MASS", done, "of MASS elements at reference nodes of a RIGID BODY", "ELSET TYPE=ISOTROPIC"},
+      {"ROTARY INERTIA", done, "the same of ROTARYI elements, without products of inertia", "ELSET"},
       {"COUPLING", done, "nodes of a surface that move as one with a REF NODE, as a RIGID BODY does; with KINEMATIC",
        "CONSTRAINTNAME REFNODE SURFACE"},
       {"KINEMATIC", done, "of all directions"},

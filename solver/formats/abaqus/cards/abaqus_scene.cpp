@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <solver/base/error.hpp>
+#include <solver/formats/abaqus/mesh/abaqus_rigid_elements.hpp>
 #include <solver/mesh/file/input_file.hpp>
 
 #include "abaqus_parts.hpp"
@@ -50,7 +51,9 @@ std::string rejected_load(const AbaqusBlock& block) {
 /// What of the data lines of a keyword is not done; empty: nothing.
 std::string rejected_data(const AbaqusBlock& block) {
   const std::string& name = block.name;
-  if (name == "ELEMENT" && element_type(&ElementType::abaqus, block.option("TYPE")) == nullptr)
+  const std::string type = name == "ELEMENT" ? block.option("TYPE") : "C3D8";
+  if (nodes_of_rigid_element(type) == 0 && !is_point_element(type) &&
+      element_type(&ElementType::abaqus, type) == nullptr)
     return "*ELEMENT, TYPE=" + block.option("TYPE");
   const bool is_isotropic = name == "ELASTIC" && (!block.has("TYPE") || block.option("TYPE").starts_with("ISO")),
              is_johnson_cook = name == "PLASTIC" && block.option("HARDENING") == "JOHNSONCOOK";
@@ -99,6 +102,7 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   AbaqusData data(deck, mesh, report);
 
   find_abaqus_rigid_bodies(data);
+  find_abaqus_point_masses(data);
   DeckScene scene, bodies, boundary;
   data.body_elements = abaqus_elements(data);
   translate_abaqus_controls(data, scene);

@@ -8,10 +8,12 @@
 #include <set>
 
 #include <solver/mesh/element_types.hpp>
+#include <solver/mesh/file/shell_layers.hpp>
 #include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/file/split_twenty_nodes.hpp>
 #include <solver/mesh/number_index.hpp>
 
+#include "abaqus_rigid_elements.hpp"
 #include "abaqus_sets.hpp"
 
 namespace pinball {
@@ -24,7 +26,16 @@ std::string names_of_elements() {
   for (const ElementType& type : element_types()) {
     if (!type.abaqus.empty()) (all += all.empty() ? "" : ", ") += type.abaqus.substr(0, type.abaqus.find(' '));
   }
-  return all;
+  return all + ", R3D4, R3D3, MASS, ROTARYI";
+}
+
+/// Whether any component has rigid elements.
+bool has_rigid_elements(const std::vector<AbaqusComponent>& components) {
+  const auto is_rigid = [](const AbaqusBlock* block) {
+    return block->name == "ELEMENT" && nodes_of_rigid_element(block->option("TYPE")) > 0;
+  };
+  return std::ranges::any_of(
+      components, [&](const AbaqusComponent& component) { return std::ranges::any_of(component.blocks, is_rigid); });
 }
 
 /// Keywords that make nodes or elements in a way that is not read.
@@ -44,7 +55,7 @@ class AbaqusMeshReader {
  public:
   explicit AbaqusMeshReader(const AbaqusDeck& deck) {
     mesh_.components = abaqus_components(deck);
-    mesh_.sections = abaqus_sections(mesh_.components);
+    mesh_.sections = abaqus_sections(mesh_.components, has_rigid_elements(mesh_.components));
     file_.path = deck.files.front().path;
     file_.sources = deck.files;
   }
@@ -54,10 +65,15 @@ class AbaqusMeshReader {
     for (std::size_t c = 0; c < mesh_.components.size(); ++c) read_component(c);
     AbaqusSets sets(mesh_.components, mesh_.ranges, file_, std::move(nodes_), std::move(elements_));
     for (const NamedRange& set : named_) sets.add_range(set.component, set.of_nodes, set.name, set.first, set.last);
+    for (const AbaqusPointElement& point : mesh_.points) sets.pass_over(point.component, point.number);
     sets.read();
     assign_parts(sets);
+    for (AbaqusPointElement& point : mesh_.points) point.node = node_of(sets, point);
+    std::vector<std::int32_t> references = reference_nodes(sets);
     mesh_.keys = sets.name_all();
     shift_numbers();
+    mesh_.given_nodes = file_.mesh.nodes.size();
+    thicken_rigid_elements(mesh_, file_, std::move(references));
     split();
     mesh_.file = std::move(file_);
     return std::move(mesh_);
@@ -145,7 +161,13 @@ class AbaqusMeshReader {
 
   void read_elements(const AbaqusBlock& block, std::size_t c, std::size_t first_node) {
     const std::string type = squeezed(block.require("TYPE"));
-    const ElementType* const known = element_type(&ElementType::abaqus, type);
+    if (is_point_element(type)) return read_points(block, type, c);
+    static constexpr ElementType triangle{.shape = SolidShape::wedge, .nodes = 3},
+        quadrilateral{.shape = SolidShape::hexahedron, .nodes = 4};
+    const int rigid = nodes_of_rigid_element(type);
+    const ElementType* const known = rigid == 3   ? &triangle
+                                     : rigid == 4 ? &quadrilateral
+                                                  : element_type(&ElementType::abaqus, type);
     if (known == nullptr)
       fail_at(block.place, fmt::format("*ELEMENT, TYPE={} is not read: expected {}", type, names_of_elements()));
     const std::size_t first = file_.element_ids.size();
@@ -153,6 +175,23 @@ class AbaqusMeshReader {
     DataLines lines(block);
     while (const auto card = lines.next()) read_element(*card, lines, *known, first_node);
     if (const auto name = block.value("ELSET")) named_.push_back({c, false, *name, first, file_.element_ids.size()});
+  }
+
+  /// Elements of one node, a line each.
+  void read_points(const AbaqusBlock& block, const std::string& type, std::size_t c) {
+    DataLines lines(block);
+    while (const auto card = lines.next()) {
+      const DataFields f(*card);
+      AbaqusPointElement point;
+      point.component = c;
+      point.turns = type == "ROTARYI";
+      point.number = f.integer(0, "number");
+      if (const auto name = block.value("ELSET")) point.set = label_key(*name);
+      point.node_label = f.text(1);
+      point.place = card->place;
+      if (point.node_label.empty()) fail_at(card->place, fmt::format("element {}: expected its node", point.number));
+      mesh_.points.push_back(std::move(point));
+    }
   }
 
   /// Number and nodes, which may take several lines; those but the last end in a comma.
@@ -187,11 +226,22 @@ class AbaqusMeshReader {
     }
     file_.element_ids.push_back(numbers[0]);
     file_.line.push_back(place.line);
+    if (type.nodes < 5 && type.abaqus.empty()) return add_rigid_element(numbers[0], type.nodes, nodes, place);
     append_element(file_, type, nodes);
     if (type.shape != SolidShape::hexahedron || !type.has_edge_nodes) return;
     TwentyNodes& twenty = twenty_.emplace_back();
     twenty.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size() - 1);
     std::copy_n(nodes.begin() + 8, twenty.nodes.size(), twenty.nodes.begin());
+  }
+
+  /// Flat, until its thickness is known.
+  void add_rigid_element(std::int64_t number, int count, const std::array<std::int32_t, most_nodes_of_element>& nodes,
+                         const DeckPlace& place) {
+    const std::array<std::int32_t, 4> n{nodes[0], nodes[1], nodes[2], count == 3 ? nodes[2] : nodes[3]};
+    const bool differ = n[0] != n[1] && n[1] != n[2] && n[2] != n[0] && n[3] != n[0] && n[3] != n[1];
+    if (!differ || (count == 4 && n[3] == n[2]))
+      fail_at(place, fmt::format("element {}: expected {} different nodes", number, count));
+    file_.mesh.hexahedra.push_back({n[0], n[1], n[2], n[3], n[0], n[1], n[2], n[3]});
   }
 
   /// Sections first; what is in none belongs to its instance as such.
@@ -202,10 +252,15 @@ class AbaqusMeshReader {
       file_.parts.push_back({0, section.part});
       const std::string set = section.block->require("ELSET");
       for (const std::int32_t e : sets.members(section.component, false, set, section.block->place)) {
+        if (section.is_rigid() != is_flat_layer(file_.mesh.hexahedra[e])) {
+          if (section.is_rigid()) continue;
+          fail_at(section.block->place, fmt::format("*SOLID SECTION: element {} is a rigid one", file_.element_ids[e]));
+        }
         if (file_.part[e] >= 0 && file_.part[e] != part)
-          fail_at(section.block->place,
-                  fmt::format("*SOLID SECTION: element {} is in that of {}, too, {}", file_.element_ids[e],
-                              file_.parts[file_.part[e]].name, mesh_.sections[file_.part[e]].block->place.text()));
+          fail_at(
+              section.block->place,
+              fmt::format("{}: element {} is in that of {}, too, {}", section.block->star_name(), file_.element_ids[e],
+                          file_.parts[file_.part[e]].name, mesh_.sections[file_.part[e]].block->place.text()));
         file_.part[e] = part;
       }
     }
@@ -214,6 +269,9 @@ class AbaqusMeshReader {
       const AbaqusRange& range = mesh_.ranges[c];
       for (std::size_t e = range.first_element; e < range.first_element + range.elements; ++e) {
         if (file_.part[e] >= 0) continue;
+        if (is_flat_layer(file_.mesh.hexahedra[e]))
+          fail_at({std::make_shared<const std::string>(file_.path), file_.line[e]},
+                  fmt::format("element {}, a rigid one, is of no *RIGID BODY", file_.element_ids[e]));
         if (rest < 0) {
           rest = file_.parts.size();
           file_.parts.push_back({0, mesh_.components[c].name});
@@ -223,9 +281,26 @@ class AbaqusMeshReader {
     }
   }
 
+  static std::int32_t node_of(AbaqusSets& sets, const AbaqusPointElement& point) {
+    const std::vector<std::int32_t>& nodes = sets.members(point.component, true, point.node_label, point.place);
+    if (nodes.size() == 1) return nodes[0];
+    fail_at(point.place, fmt::format("element {}: expected one node, got {}", point.number, nodes.size()));
+  }
+
+  /// Of rigid bodies; what is wrong with one is said elsewhere.
+  std::vector<std::int32_t> reference_nodes(AbaqusSets& sets) const {
+    std::vector<std::int32_t> references;
+    for (const AbaqusSection& section : mesh_.sections) {
+      if (!section.is_rigid()) continue;
+      const std::string label = section.block->require("REFNODE");
+      const auto& nodes = sets.members(section.component, true, label, section.block->place);
+      if (nodes.size() == 1) references.push_back(nodes[0]);
+    }
+    return references;
+  }
+
   /// When all sets and sections are known.
   void split() {
-    mesh_.given_nodes = file_.mesh.nodes.size();
     const std::vector<std::int32_t> first = split_ten_nodes(file_);
     if (!first.empty()) {
       for (TwentyNodes& one : twenty_) one.element = first[one.element];

@@ -23,6 +23,17 @@ struct AbaqusElements {
   std::string type;  ///< without case and blanks: "C3D8R"
 };
 
+/// A MASS or ROTARYI element.
+struct AbaqusPointElement {
+  std::size_t component = 0;
+  bool turns = false;  ///< ROTARYI
+  std::int64_t number = 0;
+  std::string set;         ///< key of the label that *ELEMENT, ELSET= gives it; empty: none
+  std::string node_label;  ///< as its line has it
+  DeckPlace place;
+  std::int32_t node = -1;  ///< place in the mesh
+};
+
 /// Labels of the sets of a mesh, one per set, as label_key has them.
 struct AbaqusKeys {
   std::vector<std::string> node_sets, element_sets, face_sets;
@@ -31,19 +42,20 @@ struct AbaqusKeys {
 /// The mesh of Abaqus input, and what is needed to find things in it by the deck's own labels.
 struct AbaqusMesh {
   MeshFile file;
-  std::size_t given_nodes = 0;  ///< behind these come those that hexahedra of twenty nodes get
+  std::size_t given_nodes = 0;  ///< behind these come those of layers, and that hexahedra of twenty nodes get
   std::vector<AbaqusComponent> components;
-  std::vector<AbaqusSection> sections;  ///< as the first of `file.parts`
+  std::vector<AbaqusSection> sections;  ///< and rigid bodies of rigid elements: as the first of `file.parts`
   std::vector<AbaqusRange> ranges;      ///< per component
   std::vector<AbaqusElements> types;
+  std::vector<AbaqusPointElement> points;
   AbaqusKeys keys;
 };
 
-/// NODE, ELEMENT (C3D8 and its kin; C3D6, C3D5 and C3D4 as collapsed hexahedra, C3D10 and C3D20 as eight), NSET, ELSET,
-/// SURFACE, in parts, instances and the assembly. Parts of the mesh are sections of instances; elements of no section
-/// are a part named for the instance. Sets and surfaces of an instance are named INSTANCE.NAME, and NAME where nothing
-/// else is named so; labels that are written alike but for quotes by their keys. With more than one component numbers
-/// of the second begin behind a power of ten, and so on. Throws InputError "FILE:LINE: ...".
+/// NODE, ELEMENT (C3D8 and its kin; C3D6, C3D5 and C3D4 as collapsed hexahedra, C3D10 and C3D20 as eight, R3D4 and R3D3
+/// as layers), NSET, ELSET, SURFACE, in parts, instances and the assembly. Parts of the mesh are sections of instances;
+/// elements of no section are a part named for the instance. Sets and surfaces of an instance are named INSTANCE.NAME,
+/// and NAME where nothing else is named so; labels that are written alike but for quotes by their keys. With more than
+/// one component numbers of the second begin behind a power of ten, and so on. Throws InputError "FILE:LINE: ...".
 AbaqusMesh abaqus_mesh(const AbaqusDeck& deck);
 
 /// Face of a hexahedron, as face_nodes of kernels/hexahedron.hpp numbers them, that Abaqus calls S1 to S6 (of a wedge

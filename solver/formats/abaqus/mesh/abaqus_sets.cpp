@@ -183,7 +183,10 @@ void AbaqusSets::generate(std::size_t component, bool of_nodes, const AbaqusBloc
   for (std::size_t i = begin; i < begin + count; ++i) {
     if (numbers[i] >= first && numbers[i] <= last && (numbers[i] - first) % step == 0) members.push_back(i);
   }
-  if (members.size() == before)
+  const auto is_between = [&](const auto& passed) {
+    return passed.first == component && passed.second >= first && passed.second <= last;
+  };
+  if (members.size() == before && (of_nodes || std::ranges::none_of(passed_over_, is_between)))
     fail_at(card.place, fmt::format("GENERATE: there is no {} from {} to {}", kind(of_nodes), first, last));
   note_missed_last(block.star_name() + ", GENERATE", card.place, first, last, step, file_.notes);
 }
@@ -204,6 +207,7 @@ void AbaqusSets::add_entry(std::size_t component, bool of_nodes, const std::stri
                            std::vector<std::int32_t>& members) {
   if (const auto number = deck_integer(label)) {
     const auto found = numbered(component, of_nodes, *number);
+    if (!found && !of_nodes && passed_over_.contains({component, *number})) return;
     if (!found) fail_at(place, fmt::format("{} {} is not there", kind(of_nodes), label));
     members.push_back(*found);
     return;

@@ -2,7 +2,9 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <solver/formats/abaqus/scan/abaqus_assembly.hpp>
@@ -22,6 +24,8 @@ class AbaqusSets {
 
   /// Nodes or elements that *NODE, NSET= or *ELEMENT, ELSET= gives a name: places from first to before last.
   void add_range(std::size_t component, bool of_nodes, const std::string& name, std::size_t first, std::size_t last);
+  /// An element that the mesh does not have, and sets may name: one of one node.
+  void pass_over(std::size_t component, std::int64_t number) { passed_over_.insert({component, number}); }
   /// Takes the keywords NSET, ELSET and SURFACE of all components.
   void read();
   /// Members of a set, or of "INSTANCE.SET", as a component calls it; or the one with a number. Throws InputError with
@@ -75,6 +79,7 @@ class AbaqusSets {
 
   void name_surface(std::size_t component, const Surface& surface);
   void add_faces(std::size_t component, const DataLine& card, std::vector<std::array<std::int32_t, 4>>& faces);
+  /// Of rigid elements none.
   const std::vector<std::array<std::int32_t, 6>>& neighbours();
   /// Names of something of a component in the file: qualified and, where nothing else has it, the name alone.
   std::vector<NameInFile> names_in_file(std::size_t component, const std::string& name, const std::string& key,
@@ -85,6 +90,7 @@ class AbaqusSets {
   MeshFile& file_;
   std::map<std::string, std::size_t> component_of_key_;
   std::vector<NumberIndex> nodes_, elements_;
+  std::set<std::pair<std::size_t, std::int64_t>> passed_over_;
   std::vector<Sets> node_sets_, element_sets_;
   std::vector<std::vector<Surface>> surfaces_;
   std::map<std::string, int> surface_uses_, node_set_uses_;

@@ -5,7 +5,9 @@
 #include <solver/base/error.hpp>
 #include <solver/base/faces.hpp>
 #include <solver/mesh/element_types.hpp>
+#include <solver/mesh/file/shell_layers.hpp>
 
+#include "abaqus_rigid_elements.hpp"
 #include "abaqus_sets.hpp"
 
 namespace pinball {
@@ -25,7 +27,16 @@ std::array<std::int32_t, 4> corners_of_face(const std::array<std::int32_t, 8>& h
 }
 
 const std::vector<std::array<std::int32_t, 6>>& AbaqusSets::neighbours() {
-  if (neighbours_.empty()) neighbours_ = face_neighbours(file_.mesh.hexahedra);
+  if (!neighbours_.empty()) return neighbours_;
+  if (std::ranges::none_of(file_.mesh.hexahedra, is_flat_layer))
+    return neighbours_ = face_neighbours(file_.mesh.hexahedra);
+  std::vector<std::array<std::int32_t, 8>> solids;
+  for (const auto& hexahedron : file_.mesh.hexahedra) {
+    if (!is_flat_layer(hexahedron)) solids.push_back(hexahedron);
+  }
+  const auto of_solids = face_neighbours(solids);  // whether there is one counts here, and not which
+  for (std::size_t next = 0; const auto& hexahedron : file_.mesh.hexahedra)
+    neighbours_.push_back(is_flat_layer(hexahedron) ? std::array<std::int32_t, 6>{} : of_solids[next++]);
   return neighbours_;
 }
 
@@ -42,6 +53,13 @@ void AbaqusSets::add_faces(std::size_t component, const DataLine& card,
   const std::vector<std::int32_t>& elements = f.blank(0) ? all : members(component, false, f.text(0), card.place);
   for (const std::int32_t e : elements) {
     const auto& hexahedron = file_.mesh.hexahedra[e];
+    if (is_flat_layer(hexahedron)) {
+      if (!face.empty() && face != "SPOS" && face != "SNEG")
+        fail_at(card.place, fmt::format("*SURFACE: expected SPOS or SNEG of a rigid element, got \"{}\"", f.text(1)));
+      if (face != "SNEG") faces.push_back(positive_side(hexahedron));
+      if (face != "SPOS") faces.push_back(negative_side(hexahedron));
+      continue;
+    }
     if (face.empty()) {
       for (int k = 0; k < 6; ++k) {
         if (neighbours()[e][k] == -1) faces.push_back(corners_of_face(hexahedron, k));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include <solver/formats/deck/given_once.hpp>
 
@@ -110,13 +111,14 @@ class Gatherer {
 
 std::vector<AbaqusComponent> abaqus_components(const AbaqusDeck& deck) { return Gatherer(deck).gather(); }
 
-std::vector<AbaqusSection> abaqus_sections(const std::vector<AbaqusComponent>& components) {
+std::vector<AbaqusSection> abaqus_sections(const std::vector<AbaqusComponent>& components, bool with_rigid) {
   std::vector<AbaqusSection> sections;
   std::vector<std::string> keys;
   for (std::size_t c = 0; c < components.size(); ++c) {
     const std::size_t first = sections.size();
     for (const AbaqusBlock* block : components[c].blocks) {
-      if (block->name != "SOLIDSECTION") continue;
+      const bool is_rigid = with_rigid && block->name == "RIGIDBODY" && block->has("ELSET");
+      if (block->name != "SOLIDSECTION" && !is_rigid) continue;
       const std::string label = block->require("ELSET");
       sections.push_back({c, block, label_text(label)});
       keys.push_back(label_key(label));
@@ -130,6 +132,14 @@ std::vector<AbaqusSection> abaqus_sections(const std::vector<AbaqusComponent>& c
     }
   }
   tell_apart(sections, keys, &AbaqusSection::part);
+  std::set<std::string> taken;
+  for (const AbaqusSection& section : sections) {
+    if (!section.is_rigid()) taken.insert(section.part);
+  }
+  for (AbaqusSection& section : sections) {
+    if (!section.is_rigid()) continue;
+    while (!taken.insert(section.part).second) section.part += "_rigid";  // a set may be that of a section, too
+  }
   return sections;
 }
 

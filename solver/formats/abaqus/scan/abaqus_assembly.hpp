@@ -18,6 +18,7 @@ class InstancePlacement {
   explicit InstancePlacement(const AbaqusBlock& instance);
 
   Point apply(Point x) const;
+  bool turns() const { return turns_; }
 
  private:
   bool moves_ = false, turns_ = false;
@@ -39,13 +40,15 @@ struct AbaqusComponent {
 /// are instances of themselves. Throws InputError for an instance of no part, and for two of one name.
 std::vector<AbaqusComponent> abaqus_components(const AbaqusDeck& deck);
 
-/// A *SOLID SECTION of a component, which is a body.
+/// A *SOLID SECTION of a component, which is a body, or a *RIGID BODY of a deck with rigid elements.
 struct AbaqusSection {
   std::size_t component = 0;
   const AbaqusBlock* block = nullptr;
   std::string part;  ///< name of its elements in the mesh: that of the instance, of the set, or "INSTANCE.SET"
+  bool is_rigid() const { return block->name == "RIGIDBODY"; }
 };
-/// In the order of the components. Throws InputError for one without an ELSET.
-std::vector<AbaqusSection> abaqus_sections(const std::vector<AbaqusComponent>& components);
+/// In the order of the components. with_rigid: the deck has rigid elements. Throws InputError for a *SOLID SECTION
+/// without an ELSET.
+std::vector<AbaqusSection> abaqus_sections(const std::vector<AbaqusComponent>& components, bool with_rigid);
 
 }  // namespace pinball

@@ -1,0 +1,245 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <solver/mesh/quality.hpp>
+
+#include "abaqus_parts.hpp"
+
+/// MASS and ROTARY INERTIA: masses of reference nodes, and what rigid bodies weigh with them.
+namespace pinball {
+
+namespace {
+
+constexpr double near_centre = 1e-3;  ///< of the size of a body, as of those of solids
+
+/// Whether *ELSET keywords of this label list an element by its number.
+bool is_in_set(const AbaqusComponent& component, const std::string& key, std::int64_t number) {
+  for (const AbaqusBlock* block : component.blocks) {
+    if (block->name != "ELSET" || label_key(block->value("ELSET").value_or("")) != key) continue;
+    const bool generates = block->has("GENERATE");
+    DataLines lines(*block);
+    while (const auto card = lines.next()) {
+      if (!generates) {
+        const std::vector<std::string_view> entries = entries_of(card->text);
+        if (std::ranges::any_of(entries, [&](std::string_view entry) { return deck_integer(entry) == number; }))
+          return true;
+        continue;
+      }
+      const DataFields f(*card);
+      const std::int64_t first = f.integer(0, "first"), last = f.integer(1, "last", first),
+                         step = std::max<std::int64_t>(1, f.integer(2, "step", 1));
+      if (number >= first && number <= last && (number - first) % step == 0) return true;
+    }
+  }
+  return false;
+}
+
+/// The elements of one node that a *MASS or a *ROTARY INERTIA is for.
+std::vector<const AbaqusPointElement*> points_of(const AbaqusData& data, std::size_t component,
+                                                 const AbaqusBlock& block) {
+  const std::string key = label_key(block.require("ELSET"));
+  std::vector<const AbaqusPointElement*> points;
+  for (const AbaqusPointElement& point : data.mesh.points) {
+    if (point.component != component || point.turns != (block.name == "ROTARYINERTIA")) continue;
+    if (point.set == key || is_in_set(data.mesh.components[component], key, point.number)) points.push_back(&point);
+  }
+  return points;
+}
+
+/// Moments about the axes. Throws InputError for one below 0; products are refused.
+Point moments_of(AbaqusData& data, const AbaqusBlock& block, const InstancePlacement& placement) {
+  DataLines lines(block);
+  const DataLine card = lines.require("the moments of inertia");
+  const DataFields f(card);
+  Point moments{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    moments[k] = f.number(k, "moment of inertia", 0.0);
+    if (!(moments[k] >= 0))
+      fail_at(card.place, fmt::format("*ROTARY INERTIA: moment of inertia: expected >= 0, got {}", moments[k]));
+  }
+  bool has_products = false;
+  for (std::size_t k = 3; k < 6; ++k) has_products = f.number(k, "product of inertia", 0.0) != 0 || has_products;
+  if (has_products)
+    data.report.reject(card.place, "*ROTARY INERTIA with products of inertia",
+                       "turn the axes of the model to those of the body");
+  if (placement.turns() && (moments[0] != moments[1] || moments[1] != moments[2]))
+    data.report.reject(card.place, "*ROTARY INERTIA of an instance that is turned", "give it in the assembly");
+  return moments;
+}
+
+double mass_of_line(const AbaqusBlock& block) {
+  DataLines lines(block);
+  const DataLine card = lines.require("the mass");
+  const double mass = DataFields(card).number(0, "mass");
+  if (!(mass >= 0)) fail_at(card.place, fmt::format("*MASS: expected a mass >= 0, got {}", mass));
+  return mass;
+}
+
+void add_moments(std::array<Point, 3>& inertia, double mass, const Point& arm) {
+  const double square = dot(arm, arm);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t l = 0; l < 3; ++l) inertia[k][l] += mass * ((k == l ? square : 0.0) - arm[k] * arm[l]);
+  }
+}
+
+/// Per node of the mesh, an eighth of each of its elements; of rigid elements nothing.
+std::vector<double> masses_of_nodes(const AbaqusData& data) {
+  const std::map<std::string, double> densities = abaqus_densities(data.deck);
+  std::vector<double> density(data.mesh.file.parts.size(), 0.0);
+  for (const AbaqusBody& body : data.bodies) {
+    const auto found = densities.find(body.material);
+    if (found != densities.end()) density[body.section] = found->second;
+  }
+  const Mesh& mesh = data.mesh.file.mesh;
+  std::vector<double> masses(mesh.nodes.size(), 0.0);
+  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+    const double of_part = density[data.mesh.file.part[e]];
+    if (of_part == 0) continue;
+    std::array<Point, 8> corners;
+    for (std::size_t c = 0; c < 8; ++c) corners[c] = mesh.nodes[mesh.hexahedra[e][c]];
+    const double of_corner = of_part * volume_by_quadrature(corners) / 8;
+    for (const std::int32_t node : mesh.hexahedra[e]) masses[node] += of_corner;
+  }
+  return masses;
+}
+
+/// Of the elements of some bodies.
+double mass_of_bodies(const AbaqusData& data, const std::vector<std::string>& names) {
+  const std::map<std::string, double> densities = abaqus_densities(data.deck);
+  const MeshFile& file = data.mesh.file;
+  double mass = 0;
+  for (const AbaqusBody& body : data.bodies) {
+    const auto found = densities.find(body.material);
+    if (found == densities.end() || std::ranges::count(names, body.name) == 0) continue;
+    for (std::size_t e = 0; e < file.part.size(); ++e) {
+      if (static_cast<std::size_t>(file.part[e]) != body.section) continue;
+      std::array<Point, 8> corners;
+      for (std::size_t c = 0; c < 8; ++c) corners[c] = file.mesh.nodes[file.mesh.hexahedra[e][c]];
+      mass += found->second * volume_by_quadrature(corners);
+    }
+  }
+  return mass;
+}
+
+/// A rigid body with what its nodes have of elements, and with what is at its reference node.
+struct Weight {
+  double mass = 0;
+  Point centre{};
+  std::array<Point, 3> inertia{};  ///< about the centre
+  double size = 0;                 ///< largest distance of a node from the reference node [length]
+};
+
+Weight weight_of(const AbaqusData& data, const AbaqusRigidBody& rigid) {
+  const std::vector<Point>& places = data.mesh.file.mesh.nodes;
+  std::vector<double> masses = masses_of_nodes(data);
+  std::vector<std::int32_t> nodes = rigid.tied;
+  for (std::size_t n = 0; n < rigid.own.size(); ++n) {
+    if (rigid.own[n]) nodes.push_back(static_cast<std::int32_t>(n));
+  }
+  const Point& reference = places[rigid.node];
+  Weight all{rigid.mass, {}, rigid.inertia, 0};
+  for (const std::int32_t n : nodes) {
+    const Point arm = minus(places[n], reference);
+    all.mass += masses[n];
+    for (std::size_t k = 0; k < 3; ++k) all.centre[k] += masses[n] * arm[k];
+    all.size = std::max(all.size, norm(arm));
+  }
+  for (std::size_t k = 0; k < 3; ++k) all.centre[k] = reference[k] + (all.mass > 0 ? all.centre[k] / all.mass : 0.0);
+  if (norm(minus(all.centre, reference)) <= near_centre * all.size) all.centre = reference;
+  add_moments(all.inertia, rigid.mass, minus(reference, all.centre));
+  for (const std::int32_t n : nodes) add_moments(all.inertia, masses[n], minus(places[n], all.centre));
+  return all;
+}
+
+bool has_rigid_elements(const AbaqusData& data, const AbaqusRigidBody& rigid) {
+  return std::ranges::any_of(data.bodies, [&](const AbaqusBody& body) {
+    return body.is_rigid_elements() && std::ranges::count(rigid.bodies, body.name) > 0;
+  });
+}
+
+/// Whether its mass is not that of its solids alone.
+bool is_weighed(const AbaqusData& data, const AbaqusRigidBody& rigid) {
+  return rigid.mass > 0 || rigid.inertia != std::array<Point, 3>{} || has_rigid_elements(data, rigid);
+}
+
+/// The moment about an axis about which the body is moved as given means nothing: where none is given it is the largest
+/// of the others. Returns whether the body turns by itself about an axis without one.
+bool fill_moments(const AbaqusData& data, const AbaqusRigidBody& rigid, std::array<Point, 3>& inertia) {
+  const double largest = std::max({inertia[0][0], inertia[1][1], inertia[2][2]});
+  bool lacks = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (inertia[k][k] > 0) continue;
+    if (rigid.guided[3 + k] < data.end()) lacks = true;
+    inertia[k][k] = largest;
+  }
+  return lacks;
+}
+
+}  // namespace
+
+void find_abaqus_point_masses(AbaqusData& data) {
+  std::vector<bool> known(data.mesh.points.size(), false);
+  for (std::size_t c = 0; c < data.mesh.components.size(); ++c) {
+    const AbaqusComponent& component = data.mesh.components[c];
+    for (const AbaqusBlock* block : component.blocks) {
+      const bool is_mass = block->name == "MASS";
+      if (!is_mass && block->name != "ROTARYINERTIA") continue;
+      const double mass = is_mass ? mass_of_line(*block) : 0.0;
+      const Point moments = is_mass ? Point{} : moments_of(data, *block, component.placement);
+      const std::vector<const AbaqusPointElement*> points = points_of(data, c, *block);
+      if (points.empty())
+        data.report.unused(block->place, block->star_name(), "its ELSET has no elements of one node of that type");
+      for (const AbaqusPointElement* point : points) {
+        known[point - data.mesh.points.data()] = true;
+        AbaqusRigidBody* rigid = data.rigid_at(point->node);
+        if (rigid == nullptr || rigid->is_coupling() || rigid->is_wall) {
+          data.report.reject(block->place, block->star_name() + " of a node that is no reference node of a rigid body",
+                             "the density of a section in its place");
+          continue;
+        }
+        rigid->mass += mass;
+        for (std::size_t k = 0; k < 3; ++k) rigid->inertia[k][k] += moments[k];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (!known[i])
+      data.report.unused(data.mesh.points[i].place, "*ELEMENT of one node", "no *MASS or *ROTARY INERTIA is for it");
+  }
+  for (AbaqusRigidBody& rigid : data.rigid) {
+    if (rigid.is_coupling() || rigid.is_wall || !is_weighed(data, rigid)) continue;
+    rigid.offset = minus(data.mesh.file.mesh.nodes[rigid.node], weight_of(data, rigid).centre);
+  }
+}
+
+void set_abaqus_mass(AbaqusData& data, const AbaqusRigidBody& rigid, const DeckKeys<RigidBody>& keys) {
+  if (rigid.is_coupling() || !is_weighed(data, rigid)) return;
+  const double own = rigid.mass + mass_of_bodies(data, rigid.bodies);
+  const bool is_led = std::ranges::all_of(rigid.guided, [&](double time) { return time >= data.end(); });
+  if (own == 0) {
+    if (!is_led)
+      return data.report.reject(
+          rigid.card.place, "*RIGID BODY of rigid elements without mass",
+          "*MASS and *ROTARY INERTIA of its reference node, or hold or move it in all directions");
+    data.report.understood(
+        fmt::format("*RIGID BODY ({}): the deck gives it no mass: it is held or moved in all "
+                    "directions, and kinetic energies have that of its layer of solids, as light as "
+                    "the lightest material",
+                    rigid.card.place.text()));
+    return;
+  }
+  keys.set("mass", own);
+  if ((rigid.held >> 3U) == 7U) return;  // it does not turn
+  Weight weight = weight_of(data, rigid);
+  const bool lacks = fill_moments(data, rigid, weight.inertia);
+  if (lacks)
+    return data.report.reject(rigid.card.place, "*RIGID BODY of rigid elements without moments of inertia",
+                              "*ROTARY INERTIA of its reference node, or hold its rotations");
+  if (weight.inertia[0][0] == 0) return;
+  keys.set("centre", weight.centre);
+  keys.set("inertia", given_list(weight.inertia));
+}
+
+}  // namespace pinball
