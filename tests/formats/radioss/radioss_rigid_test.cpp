@@ -85,6 +85,26 @@ TEST_F(RadiossRigid, MassAndInertiaAreThoseOfNodesAndMainNode) {
                {"/RBODY with Mass and nodes of bodies that deform"});
 }
 
+/// Masses that are added to main nodes are as their own ones: type 0 gives each node of the group all of it, type 1 a
+/// share.
+TEST_F(RadiossRigid, MassesAreAddedToMainNodes) {
+  const double m = 7.85e-9;
+  const std::string groups =
+      "/GRNOD/PART/6\nupper\n" + ten({"2"}) + "/GRNOD/NODE/8\nm\n" + ten({"99"}) + body("99", 0, "6", "1");
+  const auto added = [&](int type, double mass, const char* group) {
+    return fmt::format("/ADMAS/{}/1\nmore\n{:>20.10g}{:>10}\n", type, mass, group);
+  };
+  for (const int type : {0, 1}) {
+    const RigidBody own = scene(two_cubes(radioss_steel, groups + added(type, m, "8"))).rigid_bodies.at(0);
+    EXPECT_NEAR(own.mass, 2 * m, 1e-9 * m);
+    EXPECT_NEAR(norm(minus(*own.centre, Point{0.25, 0.25, 1})), 0, 1e-9);
+    EXPECT_NEAR(own.inertia[0][0], m * (0.5 + (0.25 + 4) / 2), 1e-9 * m);
+  }
+  expect_error(two_cubes(radioss_steel, groups + added(0, m, "6")),
+               {"/ADMAS of nodes that are no main nodes of an /RBODY", "cube_0000.rad:"});
+  expect_error(two_cubes(radioss_steel, groups + added(5, m, "8")), {"/ADMAS/5/1 of another type than 0 and 1"});
+}
+
 /// Forces on a main node that is no centre of its nodes act there all the same.
 TEST_F(RadiossRigid, AForceOnAMainNodeActsAtTheCentre) {
   const Scene made =

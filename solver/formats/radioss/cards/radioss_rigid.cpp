@@ -32,7 +32,7 @@ bool touches_others(const RadiossData& data, const std::vector<bool>& in_group,
 void read_inertia(RadiossData& data, const RadiossFields& f, const RadiossFields& inertia,
                   const RadiossFields& products, const std::vector<bool>& in_group, RadiossRigidBody& rigid) {
   RadiossMainMass given;
-  given.mass = f.number("Mass");
+  given.mass = f.number("Mass") + mass_added_to(data, rigid.main);
   given.centre = f.integer("ICoG") == 0 ? 1 : static_cast<int>(f.integer("ICoG"));
   given.is_sphere = f.integer("Ispher") == 1;
   const double xy = products.number("Jxy"), yz = products.number("Jyz"), xz = products.number("Jxz");
@@ -118,6 +118,7 @@ void find_radioss_rigid_bodies(RadiossData& data) {
     given.add(fmt::format("rigid body {}", block->id()), block->place);
     read_rigid_body(data, *block);
   }
+  reject_other_added_masses(data);
   for (const RadiossBody& body : data.bodies) {
     for (const RadiossBlock* material : data.blocks_of("MAT/RIGID")) {
       if (material->id() == body.part.material) find_rigid_part(data, body, *material);

@@ -84,6 +84,7 @@ void add_boundaries(Table& table) {
   add(table, "RBODY", {&r::rigid_body, &r::rigid_inertia, &r::rigid_products, &r::rigid_options});
   add(table, "PROP/KJOINT2", {&r::joint, &r::joint_stiffness, &r::joint_damping, &r::joint_friction});
   add(table, "SPRING", {&r::spring});
+  add(table, "ADMAS", {&r::added_mass});
   add(table, "DAMP", {&r::damping, &r::damping_more});
   add(table, "TH/NODE", {&r::variables, &r::watched_node});
   add(table, "TH/BRIC", {&r::variables, &r::watched_brick});
