@@ -21,8 +21,8 @@ using Arguments = std::vector<Number>;
 
 enum class Language : std::uint8_t { fortran, python };
 
-/// What a function gives of whole numbers.
-enum class Gives : std::uint8_t { real, as_given, whole };
+/// What a function gives of whole numbers; chosen: one of its arguments as it is.
+enum class Gives : std::uint8_t { real, as_given, chosen, power, whole };
 
 struct Function {
   std::size_t least, most;
@@ -41,8 +41,8 @@ const Functions& common_functions() {
       {"abs", {1, 1, [](const Arguments& a) { return std::abs(a[0].value); }, Gives::as_given}},
       {"int", {1, 1, [](const Arguments& a) { return std::trunc(a[0].value); }, Gives::whole}},
       {"float", {1, 1, [](const Arguments& a) { return a[0].value; }}},
-      {"min", {1, 64, smallest, Gives::as_given}},
-      {"max", {1, 64, largest, Gives::as_given}},
+      {"min", {1, 64, smallest, Gives::chosen}},
+      {"max", {1, 64, largest, Gives::chosen}},
       {"sqrt", {1, 1, [](const Arguments& a) { return std::sqrt(a[0].value); }}},
       {"exp", {1, 1, [](const Arguments& a) { return std::exp(a[0].value); }}},
       {"log", {1, 1, [](const Arguments& a) { return std::log(a[0].value); }}},
@@ -73,7 +73,7 @@ const Functions& own_functions(Language language) {
       {"fabs", {1, 1, [](const Arguments& a) { return std::abs(a[0].value); }}},
       {"floor", {1, 1, [](const Arguments& a) { return std::floor(a[0].value); }}},
       {"ceil", {1, 1, [](const Arguments& a) { return std::ceil(a[0].value); }}},
-      {"pow", {2, 2, [](const Arguments& a) { return std::pow(a[0].value, a[1].value); }, Gives::as_given}},
+      {"pow", {2, 2, [](const Arguments& a) { return std::pow(a[0].value, a[1].value); }, Gives::power}},
       {"radians", {1, 1, [](const Arguments& a) { return a[0].value * std::acos(-1.0) / 180; }}},
       {"degrees", {1, 1, [](const Arguments& a) { return a[0].value * 180 / std::acos(-1.0); }}},
   };
@@ -149,12 +149,16 @@ class Parser {
     --depth_;
     return {minus ? -value.value : value.value, value.is_whole};
   }
+  /// A whole number to the power of one below 0 is none.
+  static bool is_whole_power(const Number& base, const Number& exponent) {
+    return base.is_whole && exponent.is_whole && exponent.value >= 0;
+  }
   Number power() {
     const Number base = atom();
     const bool raised = take("**") || (language_ == Language::fortran && take("^"));
     if (!raised) return base;
     const Number exponent = factor();
-    return {std::pow(base.value, exponent.value), base.is_whole && exponent.is_whole && exponent.value >= 0};
+    return {std::pow(base.value, exponent.value), is_whole_power(base, exponent)};
   }
   Number atom() {
     if (take("(")) {
@@ -187,9 +191,30 @@ class Parser {
     }
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + length, value);
     if (error != std::errc()) fail("a number");
-    const bool is_whole = rest_.substr(0, length).find_first_not_of("0123456789") == std::string_view::npos;
+    const std::string_view digits = rest_.substr(0, length);
+    const bool is_whole = digits.find_first_not_of("0123456789") == std::string_view::npos;
+    if (is_whole && language_ == Language::python && digits.front() == '0' && value != 0)
+      fail("a whole number without a zero before it");  // of base 8 in one version of Python, nothing in another one
     rest_.remove_prefix(end - rest_.data());
     return {value, is_whole};
+  }
+  /// Whether a function of these gives a whole number.
+  static bool is_whole(const Function& function, const Arguments& arguments) {
+    switch (function.gives) {
+      case Gives::real:
+        return false;
+      case Gives::as_given:
+        return std::ranges::all_of(arguments, &Number::is_whole);
+      case Gives::power:
+        return is_whole_power(arguments[0], arguments[1]);
+      case Gives::chosen: {
+        const auto chosen = std::ranges::find(arguments, function.apply(arguments), &Number::value);
+        return chosen != arguments.end() && chosen->is_whole;
+      }
+      case Gives::whole:
+        return true;
+    }
+    return false;
   }
   Number call(const std::string& name) {
     const Functions& own = own_functions(language_);
@@ -203,9 +228,7 @@ class Parser {
     const Function& function = found->second;
     if (arguments.size() < function.least || arguments.size() > function.most)
       throw std::invalid_argument("wrong number of arguments of " + name);
-    const bool of_wholes = std::ranges::all_of(arguments, &Number::is_whole);
-    return {function.apply(arguments),
-            function.gives == Gives::whole || (function.gives == Gives::as_given && of_wholes)};
+    return {function.apply(arguments), is_whole(function, arguments)};
   }
 
   std::string_view rest_;

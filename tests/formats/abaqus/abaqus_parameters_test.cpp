@@ -80,6 +80,8 @@ TEST_F(AbaqusParametersTest, LinesThatDefineNothingAreErrors) {
   EXPECT_THAT(error(named("a = 1 +\n")), HasSubstr("deck.inp:2: *PARAMETER: a: expected a number"));
   EXPECT_THAT(error(named("a = 1/0.\n")), HasSubstr("*PARAMETER: a: the value is not finite"));
   EXPECT_THAT(error(named("a = 'x'\nb = a + 1\n")), HasSubstr("*PARAMETER: b: expected a number, a is a text"));
+  EXPECT_THAT(error(named("a = 'x' + 'y'\n")), HasSubstr("deck.inp:2: *PARAMETER: a: expected a number"))
+      << "two texts are not one, x' + 'y";
   std::string dependent = named(all_);
   dependent.insert(dependent.find('\n'), ", DEPENDENT");
   EXPECT_NE(error(dependent), no_error);
@@ -99,7 +101,12 @@ TEST(PythonExpression, FollowsTheRulesOfPython) {
   EXPECT_DOUBLE_EQ(value("degrees(radians(30.))").value, 30);
   EXPECT_EQ(value("n/2.").value, 3.5);
   EXPECT_EQ(value("2*n/n").value, 2);
-  for (const char* refused : {"n/2", "n/0", "n^2", "&n", "mod(n, 2)", "nint(2.5)"})
+  EXPECT_EQ(value("pow(2, -1)").value, 0.5);
+  EXPECT_FALSE(value("pow(2, -1)").is_whole) << "which would be written as 0";
+  EXPECT_FALSE(value("max(n, 7.5)").is_whole);
+  EXPECT_TRUE(value("min(n, 7.5)").is_whole) << "as Python gives one of them";
+  EXPECT_EQ(value("0").value + value("007.").value, 7);
+  for (const char* refused : {"n/2", "min(n, 7.5)/2", "010", "n/0", "n^2", "&n", "mod(n, 2)", "nint(2.5)"})
     EXPECT_THROW(value(refused), std::invalid_argument) << refused;
 }
 

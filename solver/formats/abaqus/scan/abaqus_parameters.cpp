@@ -20,9 +20,10 @@ bool is_parameter_name(std::string_view text) {
   return !text.empty() && is_letter(text.front()) && std::ranges::all_of(text, fits);
 }
 
-/// Of Python's two kinds of quotes; what is between them.
+/// Of Python's two kinds of quotes; what is between them, if that is one text.
 bool take_quotes(std::string_view& text) {
-  const bool quoted = text.size() >= 2 && (text.front() == '\'' || text.front() == '"') && text.back() == text.front();
+  const bool quoted = text.size() >= 2 && (text.front() == '\'' || text.front() == '"') &&
+                      text.find(text.front(), 1) == text.size() - 1;
   if (quoted) text = text.substr(1, text.size() - 2);
   return quoted;
 }
