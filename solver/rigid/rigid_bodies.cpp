@@ -300,6 +300,8 @@ std::vector<RigidBodyResult> RigidBodies<S>::results() const {
     result.name = bodies_[b].name;
     result.mass = now.mass();
     result.inertia = now.inertia();
+    for (std::size_t k = 0; k < 3 && !bodies_[b].slender.idle.empty(); ++k)
+      result.inertia[k] = minus(result.inertia[k], bodies_[b].more_inertia[k]);
     result.centre = before_[b].centre;
     result.velocity = now.state().velocity;
     result.angular_velocity = now.angular_velocity();

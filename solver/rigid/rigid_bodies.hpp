@@ -12,6 +12,7 @@
 #include <solver/results.hpp>
 
 #include "rigid_body_motion.hpp"
+#include "slender_inertia.hpp"
 
 namespace pinball {
 
@@ -87,8 +88,9 @@ class RigidBodies {
     std::vector<std::size_t> motions;     ///< of the scene, that move it
     GivenMotion given;                    ///< in this step
     std::vector<std::size_t> given_by;    ///< motions of `given`, those along directions and then those about axes
-    std::array<Point, 3> more_inertia{};  ///< given inertia less that of the nodes, at the start [mass length^2]
-    bool has_own_inertia = false;
+    std::array<Point, 3> more_inertia{};  ///< inertia less that of the nodes, at the start [mass length^2]
+    bool has_own_inertia = false;         ///< it is given
+    SlenderInertia slender;               ///< of nodes on one line without a given one
     Point offset{};                  ///< of the centre of its nodes' masses from a given one, at the start [length]
     std::vector<Gravity> gravities;  ///< that act on it, where there is an offset
     Point moment_beside{};           ///< of gravity in this step, above that on the nodes [force length]
@@ -101,6 +103,7 @@ class RigidBodies {
   // scene_node: number in the scene per node of the store.
   void add_body(const Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node);
   void check_motions(const Scene& scene) const;
+  void check_slender(const Scene& scene, const Body& body) const;
   void take_velocities(Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node, bool of_start);
   void set_offset(const Point& offset, Body& body) const;
   void take_gravities(const Scene& scene, const RigidBody& given, Body& body) const;

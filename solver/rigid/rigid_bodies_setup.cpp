@@ -22,6 +22,9 @@ struct MassOfNodes {
   double mass = 0;
   Point centre{};
   std::array<Point, 3> inertia{};
+  double far = 0;  ///< the farthest from the origin
+
+  SlenderInertia slender() const { return slender_inertia(inertia, mass, far); }
 };
 
 /// mass, place: of the i-th of them.
@@ -42,6 +45,7 @@ MassOfNodes mass_of(std::size_t count, const Mass& mass, const Place& place) {
   for (std::size_t i = 0; i < count; ++i) {
     const Point r = minus(place(i), all.centre);
     const double square = dot(r, r);
+    all.far = std::max(all.far, norm(place(i)));
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t l = 0; l < 3; ++l) all.inertia[k][l] += mass(i) * ((k == l ? square : 0.0) - r[k] * r[l]);
     }
@@ -119,6 +123,7 @@ void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const s
       nodes.size(), [&](std::size_t i) { return model.node_mass[nodes[i]]; }, place);
   const bool has_own = given.inertia != std::array<Point, 3>{};
   const Point centre = given.centre.value_or(own.centre);
+  const SlenderInertia slender = has_own ? SlenderInertia{given.inertia, {}} : own.slender();
   Body& body = bodies_.emplace_back(Body{
       .name = given.name,
       .nodes = nodes,
@@ -129,18 +134,17 @@ void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const s
       .given = {},
       .given_by = {},
       .has_own_inertia = has_own,
+      .slender = slender,
       .gravities = {},
       .acting = {},
-      .motion = RigidBodyMotion(own.mass, has_own ? given.inertia : own.inertia, centre),
+      .motion = RigidBodyMotion(own.mass, slender.inertia, centre),
   });
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Point r = minus(place(i), centre);
     std::copy(r.begin(), r.end(), record(body.arm.data(), static_cast<std::int64_t>(i)));
     sides_.body_of_node[nodes[i]] = static_cast<std::int32_t>(number);
   }
-  if (has_own) {
-    for (std::size_t k = 0; k < 3; ++k) body.more_inertia[k] = minus(given.inertia[k], own.inertia[k]);
-  }
+  for (std::size_t k = 0; k < 3; ++k) body.more_inertia[k] = minus(slender.inertia[k], own.inertia[k]);
   if (given.centre) {
     set_offset(minus(own.centre, centre), body);
     take_gravities(model.scene, given, body);
@@ -181,10 +185,34 @@ void RigidBodies<S>::take_gravities(const Scene& scene, const RigidBody& given, 
   }
 }
 
+/// What turns or holds nodes on one line about some axis does so by a moment about the line, too, of which they know
+/// nothing.
+template <class S>
+void RigidBodies<S>::check_slender(const Scene& scene, const Body& body) const {
+  if (body.slender.idle.empty()) return;
+  const auto refuse = [&](const std::string& where, const char* what) {
+    throw InputError(
+        fmt::format("{}: {} a rigid body whose nodes are on one line or in one point, {}: expected nodes "
+                    "beside it, or an inertia",
+                    where, what, body.name));
+  };
+  for (const RigidBody& given : scene.rigid_bodies) {
+    const std::size_t held = body.held.about.size();
+    if (given.name == body.name && held > 0 && held < 3) refuse(given.where, "held_rotations about some axes hold");
+  }
+  for (const std::size_t m : body.motions) {
+    if (scene.rigid_motions[m].axis) refuse(scene.rigid_motions[m].where, "it turns");
+  }
+  for (const Joint& joint : scene.joints) {
+    if (std::ranges::count(joint.bodies, body.name) > 0) refuse(joint.where, "it joins");
+  }
+}
+
 /// Each of what moves a body is beside what holds it, and beside what else moves it at the same time.
 template <class S>
 void RigidBodies<S>::check_motions(const Scene& scene) const {
   for (const Body& body : bodies_) {
+    check_slender(scene, body);
     for (std::size_t i = 0; i < body.motions.size(); ++i) {
       const RigidMotion& motion = scene.rigid_motions[body.motions[i]];
       const Point& own = motion.axis ? *motion.axis : *motion.direction;
@@ -213,7 +241,8 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
   Body& body = bodies_[number];
   const RigidBody& given = model.scene.rigid_bodies[number];
   if (of_start && (given.velocity || given.angular_velocity)) {
-    body.motion.set_velocities(given.velocity.value_or(Point{}), given.angular_velocity.value_or(Point{}));
+    body.motion.set_velocities(given.velocity.value_or(Point{}),
+                               body.slender.moving(given.angular_velocity.value_or(Point{})));
     return put_nodes(model, body);
   }
   std::vector<std::int32_t> nodes;
@@ -242,7 +271,7 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
     for (std::size_t k = 0; k < 3; ++k) momentum[k] += model.node_mass[nodes[i]] * turn[k];
     fastest = std::max(fastest, norm(v(i)));
   }
-  RigidBodyMotion of_nodes(own.mass, own.inertia, own.centre);
+  RigidBodyMotion of_nodes(own.mass, own.slender().inertia, own.centre);
   of_nodes.state().angular_momentum = momentum;
   of_nodes.begin({});
   const Point spin = of_nodes.angular_velocity();
