@@ -100,7 +100,8 @@ template <class S>
 void BoundaryConditions<S>::add_loads(const NodeArrays<S>& nodes, double time, const StepLengths& step,
                                       bool ends_cycle) {
   forces_read_.reset();
-  if (std::exchange(cycle_ends_, ends_cycle)) {
+  const bool begins_cycle = std::exchange(cycle_ends_, ends_cycle);
+  if (begins_cycle) {
     steps_before_ = 0;
     forces_before_.assign(named_.names().size(), Point{});
   }
@@ -112,7 +113,7 @@ void BoundaryConditions<S>::add_loads(const NodeArrays<S>& nodes, double time, c
   }
   if (of_host_) of_host_->add(nodes);
   if (pressures_.any()) pressures_.apply(nodes, time, step);
-  gravity_.apply(nodes, time, step);
+  gravity_.apply(nodes, time, step, begins_cycle);
   if (damping_) damping_->add(nodes);
   if (prescribes_ || (constrains_ && named_.of_constraints())) held_->clear_forces();
 }

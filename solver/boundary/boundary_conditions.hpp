@@ -73,7 +73,7 @@ class BoundaryConditions {
   }
   std::vector<PressureResult> pressures() const { return pressures_.results(); }
   /// What constraints, prescribed velocities and accelerations with a name exert on the nodes in the step just made, by
-  /// name; of the first two the mean over the steps of the cycle, in one of which a large element gives the impulse of
+  /// name: the mean over the steps of the cycle, in one of which a large element gives a constraint the impulse of
   /// many.
   std::vector<ForceResult> forces(const Model<S>& model) const;
   const std::vector<std::string>& force_names() const { return named_.names(); }

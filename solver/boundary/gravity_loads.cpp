@@ -9,11 +9,18 @@
 namespace pinball {
 
 template <class S>
+void GravityLoads<S>::Factor::take(double factor, bool begins_cycle) {
+  before = begins_cycle ? 0 : before + now;
+  steps_before = begins_cycle ? 0 : steps_before + 1;
+  now = factor;
+}
+
+template <class S>
 GravityLoads<S>::GravityLoads(const Model<S>& model, const BoundaryKernels<S>& kernels) {
   for (const Gravity& given : model.scene.gravities) {
     if (given.bodies.empty()) {
       of_all_.push_back(given);
-      factors_.push_back(given.table.value(0));
+      factors_.push_back({.now = given.table.value(0)});
     } else {
       of_bodies_.push_back(of_bodies(model, given, kernels));
     }
@@ -29,23 +36,23 @@ typename GravityLoads<S>::OfBodies GravityLoads<S>::of_bodies(const Model<S>& mo
   MassShares theirs = std::move(mass_shares(model, group, 1).front());
   Kernels forces = kernels.gravity(theirs.nodes, theirs.share);
   if (given.name.empty()) theirs = {};
-  return {given, given.table.value(0), std::move(theirs), std::move(forces)};
+  return {given, {.now = given.table.value(0)}, std::move(theirs), std::move(forces)};
 }
 
 template <class S>
-void GravityLoads<S>::apply(const NodeArrays<S>& nodes, double time, const StepLengths& step) {
+void GravityLoads<S>::apply(const NodeArrays<S>& nodes, double time, const StepLengths& step, bool begins_cycle) {
   if (forces_on_all_) {
     Point sum{};
     for (std::size_t i = 0; i < of_all_.size(); ++i) {
-      factors_[i] = force_factor(of_all_[i].table, time, step);
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += factors_[i] * of_all_[i].acceleration[k];
+      factors_[i].take(force_factor(of_all_[i].table, time, step), begins_cycle);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += factors_[i].now * of_all_[i].acceleration[k];
     }
     forces_on_all_->add(nodes, sum);
   }
   for (OfBodies& gravity : of_bodies_) {
-    gravity.factor = force_factor(gravity.given.table, time, step);
+    gravity.factor.take(force_factor(gravity.given.table, time, step), begins_cycle);
     Point present{};
-    for (std::size_t k = 0; k < 3; ++k) present[k] = gravity.factor * gravity.given.acceleration[k];
+    for (std::size_t k = 0; k < 3; ++k) present[k] = gravity.factor.now * gravity.given.acceleration[k];
     gravity.forces->add(nodes, present);
   }
 }
@@ -66,7 +73,7 @@ void GravityLoads<S>::add_forces(const Model<S>& model, const NamedForces& named
   };
   for (std::size_t i = 0; i < of_all_.size(); ++i) {
     if (of_all_[i].name.empty()) continue;
-    add(of_all_[i], factors_[i], std::accumulate(model.node_mass.begin(), model.node_mass.end(), 0.0));
+    add(of_all_[i], factors_[i].mean(), std::accumulate(model.node_mass.begin(), model.node_mass.end(), 0.0));
   }
   for (const OfBodies& gravity : of_bodies_) {
     if (gravity.given.name.empty()) continue;
@@ -74,7 +81,7 @@ void GravityLoads<S>::add_forces(const Model<S>& model, const NamedForces& named
     for (std::size_t i = 0; i < gravity.theirs.nodes.size(); ++i) {
       mass += gravity.theirs.share[i] * model.node_mass[gravity.theirs.nodes[i]];
     }
-    add(gravity.given, gravity.factor, mass);
+    add(gravity.given, gravity.factor.mean(), mass);
   }
 }
 

@@ -17,27 +17,37 @@ class GravityLoads {
  public:
   GravityLoads(const Model<S>& model, const BoundaryKernels<S>& kernels);
 
-  /// Adds the forces to those of the nodes; time: of the forces.
-  void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step);
+  /// Adds the forces to those of the nodes; time: of the forces; begins_cycle: the step is the first of its cycle.
+  void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step, bool begins_cycle);
   /// Adds the work of the forces that apply() has added; to be called when all forces are known.
   void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const;
-  /// Adds the force of each acceleration that has a name, as apply() has added it.
+  /// Adds the force of each acceleration that has a name, as apply() has added it: the mean over the steps of the
+  /// cycle.
   void add_forces(const Model<S>& model, const NamedForces& named, std::vector<Point>& sums) const;
   std::size_t bytes() const;
 
  private:
   using Kernels = std::unique_ptr<NodeForceKernels<S>>;
+  /// Of an acceleration.
+  struct Factor {
+    double now = 0;                 ///< in this step
+    double before = 0;              ///< sum over those of its cycle that are before it
+    std::int32_t steps_before = 0;  ///< how many these are
+
+    void take(double factor, bool begins_cycle);
+    double mean() const { return steps_before > 0 ? (before + now) / (steps_before + 1) : now; }
+  };
   /// A force on the part of each node's mass that is of some bodies.
   struct OfBodies {
     Gravity given;
-    double factor;      ///< of the acceleration, at present
+    Factor factor;
     MassShares theirs;  ///< empty where it has no name
     Kernels forces;
   };
   static OfBodies of_bodies(const Model<S>& model, const Gravity& given, const BoundaryKernels<S>& kernels);
 
   std::vector<Gravity> of_all_;
-  std::vector<double> factors_;  ///< of these, at present
+  std::vector<Factor> factors_;  ///< of these
   Kernels forces_on_all_;        ///< of their sum; null: there are none
   std::vector<OfBodies> of_bodies_;
 };

@@ -109,6 +109,30 @@ TEST(NamedForces, OfConstraintsAreMeansOfTheStepsOfACycle) {
   }
 }
 
+/// A pulse of gravity that is shorter than a step, before the last one of its cycle.
+TEST(NamedForces, OfGravityAreMeansOfTheStepsOfACycle) {
+  for (const bool of_bodies : {false, true}) {
+    Scene scene = bar_with_thin_section(4e-3);
+    scene.time.subcycling = true;
+    Gravity pulse{.acceleration = {100, 0, 0}, .table = {{0, 1e-3, 1.001e-3, 1.002e-3}, {0, 0, 1, 0}}, .name = "pulse"};
+    if (of_bodies) pulse.bodies = {scene.bodies[0].name};
+    scene.gravities = {pulse};
+    Solver<double> solver(scene);
+    solver.step();
+    double impulse = 0;
+    std::int64_t steps = solver.steps(), longest_cycle = 0;
+    while (!solver.at_end()) {
+      solver.step();
+      const std::int64_t cycle = solver.steps() - std::exchange(steps, solver.steps());
+      impulse += static_cast<double>(cycle) * solver.dt() * forces_of(solver)[0].force[0];
+      longest_cycle = std::max(longest_cycle, cycle);
+    }
+    EXPECT_GT(longest_cycle, 1);
+    EXPECT_GT(solver.momentum()[0], 0);
+    EXPECT_NEAR(impulse, solver.momentum()[0], 1e-6 * solver.momentum()[0]) << of_bodies;
+  }
+}
+
 TEST(NamedForces, OfPrescribedMotionIsMassTimesAcceleration) {
   Scene scene = column();
   PrescribedVelocity motion;
