@@ -80,6 +80,10 @@ TEST_F(InfoBoundary, SaysWhatItActsOnAlongWhatAndFromWhenOn) {
               HasSubstr(", pushed with its mass 2 kg, at first velocity 3 m/s"));
   EXPECT_THAT(info_of("[[rigid_wall]]\nname = \"w\"\nnormal = [0.0, 0.0, 1.0]\nspeed = 3.0\n"),
               HasSubstr(", moves with velocity 3 m/s (constant)"));
+  EXPECT_THAT(info_of("[[rigid_wall]]\nname = \"w\"\npoint = [7.0, 0.0, 0.0]\nnormal = [0.0, 0.0, 1.0]\n"
+                      "edge = [0.0, 1.0, 0.0]\nsize = [2.0, 0.0]\n"),
+              HasSubstr("through (7, 0, 0) m, free side along (0, 0, 1), 2 x 0 m from there, the first along (0, 1, 0) "
+                        "(0: without end)"));
 }
 
 TEST_F(InfoBoundary, SaysWhenAPairMayTouch) {

@@ -70,8 +70,8 @@ std::string wall_text(const RigidWall& wall, const Units& units) {
                         table_text(wall.table));
   }
   if (wall.edge) {
-    text += fmt::format(", {:.6g} x {:.6g}{} from {} (0: without end)", wall.size[0], wall.size[1],
-                        units.length.empty() ? "" : " " + units.length, vector_text(*wall.edge, ""));
+    text += fmt::format(", {:.6g} x {:.6g}{} from there, the first along {} (0: without end)", wall.size[0],
+                        wall.size[1], units.length.empty() ? "" : " " + units.length, vector_text(*wall.edge, ""));
   }
   return text;
 }
