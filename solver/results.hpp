@@ -58,14 +58,14 @@ struct WallResult {
 /// What a pressure has done.
 struct PressureResult {
   std::string name;
-  Point force{};      ///< of all its faces together, at present [force]
+  Point force{};      ///< of all its faces together, mean over the steps of the last cycle of subcycling [force]
   double work = 0.0;  ///< done on the bodies, up to the time of the forces [energy]
 };
 
 /// What constraints, prescribed velocities and accelerations of one name exert on the nodes.
 struct ForceResult {
   std::string name;
-  Point force{};  ///< at present [force]
+  Point force{};  ///< mean over the steps of the last cycle of subcycling [force]
 };
 
 /// Where a rigid body is and how it moves; about its centre.

@@ -112,7 +112,7 @@ void BoundaryConditions<S>::add_loads(const NodeArrays<S>& nodes, double time, c
     load.nodes->add(nodes, present);
   }
   if (of_host_) of_host_->add(nodes);
-  if (pressures_.any()) pressures_.apply(nodes, time, step);
+  if (pressures_.any()) pressures_.apply(nodes, time, step, begins_cycle);
   gravity_.apply(nodes, time, step, begins_cycle);
   if (damping_) damping_->add(nodes);
   if (prescribes_ || (constrains_ && named_.of_constraints())) held_->clear_forces();

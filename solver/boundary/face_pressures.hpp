@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,12 +24,13 @@ class FacePressures {
   bool any() const { return !loads_.empty(); }
 
   /// Adds the forces of the present places to those of the nodes, but for faces of eroded elements; time: of the
-  /// forces.
-  void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step);
+  /// forces; begins_cycle: the step is the first of its cycle.
+  void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step, bool begins_cycle);
   /// Work of the forces that apply() has added; to be called when all forces are known.
   ExternalWork work(const NodeArrays<S>& nodes, const StepLengths& step);
 
   void persist(StateArchive& archive);
+  /// Forces are means over the steps of the cycle, up to the last one made.
   std::vector<PressureResult> results() const;
   std::size_t bytes() const;
 
@@ -36,12 +38,16 @@ class FacePressures {
   struct Load {
     Pressure given;
     std::unique_ptr<PressureKernels<S>> faces;
-    bool acts = false;  ///< at the time of the forces
-    double done = 0;    ///< work of all steps before the last
+    bool acts = false;              ///< at the time of the forces
+    Point before{};                 ///< sum of the forces in the steps of the cycle that are before it [force]
+    std::int32_t steps_before = 0;  ///< how many these are
+    double done = 0;                ///< work of all steps before the last
     ExternalWork last;
     std::optional<Point> force_read;  ///< with a state, up to its next step [force]
   };
-  static Point force_of(const Load& load);
+  static Point force_of_step(const Load& load);
+  static void take_step(Load& load, bool begins_cycle);
+  static Point mean_force(const Load& load);
   std::vector<Load> loads_;
 };
 

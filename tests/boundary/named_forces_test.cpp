@@ -109,28 +109,48 @@ TEST(NamedForces, OfConstraintsAreMeansOfTheStepsOfACycle) {
   }
 }
 
-/// A pulse of gravity that is shorter than a step, before the last one of its cycle.
+/// A pulse that is shorter than a step, before the last one of its cycle.
+const TimeTable short_pulse{{0, 1e-3, 1.001e-3, 1.002e-3}, {0, 0, 1, 0}};
+
+/// With subcycling, the momentum along x in the end is the integral of the force that is told where cycles end.
+template <class ForceOf>
+void expect_impulse_of_cycles(Scene scene, const ForceOf& force_of) {
+  scene.time.subcycling = true;
+  Solver<double> solver(scene);
+  solver.step();
+  double impulse = 0;
+  std::int64_t steps = solver.steps(), longest_cycle = 0;
+  while (!solver.at_end()) {
+    solver.step();
+    const std::int64_t cycle = solver.steps() - std::exchange(steps, solver.steps());
+    impulse += static_cast<double>(cycle) * solver.dt() * force_of(solver)[0];
+    longest_cycle = std::max(longest_cycle, cycle);
+  }
+  EXPECT_GT(longest_cycle, 1);
+  EXPECT_GT(solver.momentum()[0], 0);
+  EXPECT_NEAR(impulse, solver.momentum()[0], 1e-6 * solver.momentum()[0]);
+}
+
 TEST(NamedForces, OfGravityAreMeansOfTheStepsOfACycle) {
   for (const bool of_bodies : {false, true}) {
+    SCOPED_TRACE(of_bodies);
     Scene scene = bar_with_thin_section(4e-3);
-    scene.time.subcycling = true;
-    Gravity pulse{.acceleration = {100, 0, 0}, .table = {{0, 1e-3, 1.001e-3, 1.002e-3}, {0, 0, 1, 0}}, .name = "pulse"};
+    Gravity pulse{.acceleration = {100, 0, 0}, .table = short_pulse, .name = "pulse"};
     if (of_bodies) pulse.bodies = {scene.bodies[0].name};
     scene.gravities = {pulse};
-    Solver<double> solver(scene);
-    solver.step();
-    double impulse = 0;
-    std::int64_t steps = solver.steps(), longest_cycle = 0;
-    while (!solver.at_end()) {
-      solver.step();
-      const std::int64_t cycle = solver.steps() - std::exchange(steps, solver.steps());
-      impulse += static_cast<double>(cycle) * solver.dt() * forces_of(solver)[0].force[0];
-      longest_cycle = std::max(longest_cycle, cycle);
-    }
-    EXPECT_GT(longest_cycle, 1);
-    EXPECT_GT(solver.momentum()[0], 0);
-    EXPECT_NEAR(impulse, solver.momentum()[0], 1e-6 * solver.momentum()[0]) << of_bodies;
+    expect_impulse_of_cycles(scene, [](const Solver<double>& solver) { return forces_of(solver)[0].force; });
   }
+}
+
+TEST(NamedForces, OfPressuresAreMeansOfTheStepsOfACycle) {
+  Scene scene = bar_with_thin_section(4e-3);
+  Pressure pulse;
+  pulse.name = "pulse";
+  pulse.pressure = 1e4;
+  pulse.faces.plane = Plane{{0, 0, 0}, {1, 0, 0}};
+  pulse.table = short_pulse;
+  scene.pressures = {pulse};
+  expect_impulse_of_cycles(scene, [](const Solver<double>& solver) { return solver.boundary().pressures()[0].force; });
 }
 
 TEST(NamedForces, OfPrescribedMotionIsMassTimesAcceleration) {
