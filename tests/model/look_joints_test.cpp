@@ -4,7 +4,7 @@
 #include <solver/scene_rules.hpp>
 #include <tests/support/solver_case.hpp>
 
-/// Where jointed bodies may come before the first step is known.
+/// Where bodies that are jointed, or taken along, may come before the first step is known.
 namespace pinball::look_joints_test {
 namespace {
 
@@ -40,6 +40,21 @@ TEST(LookAtJoints, AJointLeadsAsideWhatFalls) {
   scene.bodies[1].position = {-5, 0, -5};
   scene.joints.clear();
   EXPECT_EQ(decided(scene), ContactMethod::none) << "it falls past";
+}
+
+/// A rigid body falls beside a block, whose nodes at one end it takes along.
+TEST(LookAtJoints, WhatARigidBodyTakesAlongIsOneWithIt) {
+  Scene scene = scene_of({block("hammer", {2, 2, 2}, 1, {0, 0, 2}), block("block", {2, 2, 2}, 1, {0, 0, 0})}, 2);
+  scene.contact.method = ContactMethod::not_set;
+  scene.rigid_bodies.emplace_back().bodies = {"hammer"};
+  scene.bodies[0].velocity = {0, 0, -10};
+  EXPECT_EQ(decided(scene), ContactMethod::pinball);
+  scene.rigid_bodies[0].name = "hammer";
+  AttachedNodes& top = scene.attached_nodes.emplace_back();
+  top.rigid_body = "hammer";
+  top.nodes.body = "block";
+  top.nodes.plane = Plane{{0, 0, 2}, {0, 0, 1}};
+  EXPECT_EQ(decided(scene), ContactMethod::none);
 }
 
 /// A crank that is turned as given moves a rod that nothing else moves.

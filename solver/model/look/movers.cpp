@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <solver/model/rigid/rigid_nodes.hpp>
+#include <solver/model/selection/node_selection.hpp>
 
 #include "driven_motion.hpp"
 #include "initial_motion.hpp"
@@ -18,14 +19,16 @@ constexpr std::size_t steps = 128;      ///< pieces that the time of the run is 
 constexpr std::size_t cells_along = 5;  ///< of a body, along each axis
 constexpr double turns = 0.05;          ///< an angle beyond which a mover is as good as turned all ways [rad]
 
-/// Bodies that have nodes in common, or are tied, have one number; numbers count from 0.
+/// Bodies that have nodes in common, or are tied, or one rigid body takes along, have one number; numbers count from 0.
 class Groups {
  public:
   Groups(const Scene& scene, const ModelMesh& mesh) : group(scene.bodies.size()) {
     std::iota(group.begin(), group.end(), 0);
     join_by_nodes(mesh);
     for (const TiedContact& tied : scene.tied_contacts) join(tied, scene);
-    join_rigid_bodies(rigid_body_of_bodies(scene));
+    const std::vector<std::int32_t> rigid = rigid_body_of_bodies(scene);
+    join_rigid_bodies(rigid);
+    join_attached(scene, mesh, rigid);
     std::vector<std::int32_t> number(group.size(), -1);
     for (std::int32_t& own : group) {
       std::int32_t& of_root = number[root(own)];
@@ -55,6 +58,20 @@ class Groups {
   void join_rigid_bodies(const std::vector<std::int32_t>& rigid) {
     for (std::size_t b = 0; b < rigid.size(); ++b) {
       if (rigid[b] >= 0) join(std::ranges::find(rigid, rigid[b]) - rigid.begin(), b);
+    }
+  }
+  /// Bodies whose nodes a rigid body takes along, with its own.
+  void join_attached(const Scene& scene, const ModelMesh& mesh, const std::vector<std::int32_t>& rigid) {
+    std::vector<std::int32_t> first(scene.rigid_bodies.size(), -1);
+    for (std::size_t b = rigid.size(); b-- > 0;) {
+      if (rigid[b] >= 0) first[rigid[b]] = static_cast<std::int32_t>(b);
+    }
+    for (const AttachedNodes& attached : scene.attached_nodes) {
+      std::int32_t& with = first[rigid_body_of_name(scene, attached.rigid_body)];
+      for (const std::int32_t n : select_nodes(mesh, attached.nodes)) {
+        if (with < 0) with = mesh.body_of_node[n];
+        join(with, mesh.body_of_node[n]);
+      }
     }
   }
   /// Of sets only the file knows whose they are: all bodies of files are then taken for tied.
