@@ -110,7 +110,8 @@ class Pages(unittest.TestCase):
     def shown(self, selector, inside=None):
         """Texts of what is displayed, and how high each is: asked for at once, since each question takes milliseconds."""
         return self.browser.execute_script(r"""
-            return [...(arguments[1] || document).querySelectorAll(arguments[0])].filter((e) => e.checkVisibility())
+            return [...(arguments[1] || document).querySelectorAll(arguments[0])]
+                .filter((e) => e.checkVisibility({checkOpacity: true, checkVisibilityCSS: true}))
                 .map((e) => [e.innerText.replace(/\s+/g, ' ').trim(), e.offsetHeight]);""", selector, inside)
 
     def expect_curves(self):
