@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include <solver/base/error.hpp>
+#include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
 #include <solver/formats/abaqus/scan/abaqus_assembly.hpp>
 #include <solver/formats/abaqus/scan/abaqus_deck.hpp>
 #include <tests/support/error_of.hpp>
@@ -197,6 +198,19 @@ TEST_F(IncludingAbaqusDeck, FoldersPipesAndDevicesAreNoFiles) {
   }
   write("main.inp", "*HEADING\n*INCLUDE, INPUT=.\n");
   EXPECT_THAT(test::error_of([&] { read_abaqus_deck(path("main.inp")); }), HasSubstr("expected a file, got a folder"));
+}
+
+/// Also where data lines of a keyword go on in another file.
+TEST_F(IncludingAbaqusDeck, ElementsAreOfTheFilesThatHaveThem) {
+  write("main.inp",
+        "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n*ELEMENT, TYPE=C3D8\n"
+        "1, 1,2,3,4,5,6,7,8\n*INCLUDE, INPUT=more.inp\n3, 1,2,3,4,5,6,7,8\n");
+  write("more.inp", "** a comment\n2, 1,2,3,4,5,6,7,8\n");
+  const MeshFile file = abaqus_mesh(read_abaqus_deck(path("main.inp"))).file;
+  ASSERT_EQ(file.element_ids.size(), 3U);
+  EXPECT_EQ(place_of_element(file, 0), path("main.inp") + ":11");
+  EXPECT_EQ(place_of_element(file, 1), path("more.inp") + ":2");
+  EXPECT_EQ(place_of_element(file, 2), path("main.inp") + ":13");
 }
 
 TEST(AbaqusDeck, IncludesKeywordsAndDataLines) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include <solver/base/error.hpp>
 #include <solver/mesh/element_types.hpp>
 #include <solver/mesh/file/shell_layers.hpp>
 #include <solver/mesh/file/split_ten_nodes.hpp>
@@ -215,6 +216,10 @@ class AbaqusMeshReader {
     add_element(numbers, type, first_node, place);
   }
 
+  const std::string& path_of_last_line() const {
+    return file_.lines_of.empty() ? file_.path : file_.lines_of.back().file;
+  }
+
   void add_element(std::span<const std::int64_t> numbers, const ElementType& type, std::size_t first_node,
                    const DeckPlace& place) {
     std::array<std::int32_t, most_nodes_of_element> nodes{};
@@ -224,6 +229,8 @@ class AbaqusMeshReader {
       if (node < 0) fail_at(place, fmt::format("element {} has node {}, which is not there", numbers[0], number));
       nodes[i] = static_cast<std::int32_t>(node + first_node);
     }
+    if (*place.file != path_of_last_line())
+      file_.lines_of.push_back({static_cast<std::int32_t>(file_.element_ids.size()), *place.file});
     file_.element_ids.push_back(numbers[0]);
     file_.line.push_back(place.line);
     if (type.nodes < 5 && type.abaqus.empty()) return add_rigid_element(numbers[0], type.nodes, nodes, place);
@@ -270,8 +277,8 @@ class AbaqusMeshReader {
       for (std::size_t e = range.first_element; e < range.first_element + range.elements; ++e) {
         if (file_.part[e] >= 0) continue;
         if (is_flat_layer(file_.mesh.hexahedra[e]))
-          fail_at({std::make_shared<const std::string>(file_.path), file_.line[e]},
-                  fmt::format("element {}, a rigid one, is of no *RIGID BODY", file_.element_ids[e]));
+          throw InputError(fmt::format("{}: element {}, a rigid one, is of no *RIGID BODY",
+                                       place_of_element(file_, static_cast<std::int32_t>(e)), file_.element_ids[e]));
         if (rest < 0) {
           rest = file_.parts.size();
           file_.parts.push_back({0, mesh_.components[c].name});
