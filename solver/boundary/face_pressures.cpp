@@ -48,7 +48,8 @@ FacePressures<S>::FacePressures(const Model<S>& model, const BoundaryKernels<S>&
 template <class S>
 void FacePressures<S>::apply(const NodeArrays<S>& nodes, double time, const StepLengths& step, bool begins_cycle) {
   for (Load& load : loads_) {
-    take_step(load, begins_cycle);
+    const Point last = begins_cycle ? Point{} : force_of_step(load);
+    for (std::size_t k = 0; k < 3; ++k) load.cycle[k].begin_step(begins_cycle, last[k]);
     const Pressure& given = load.given;
     const auto pressure = static_cast<S>(force_factor(given.table, given.start, time, step) * given.pressure);
     load.acts = pressure != S(0);
@@ -88,20 +89,11 @@ Point FacePressures<S>::force_of_step(const Load& load) {
   return {force.x, force.y, force.z};
 }
 
-/// The last step is one of those before, if its cycle goes on.
-template <class S>
-void FacePressures<S>::take_step(Load& load, bool begins_cycle) {
-  const Point last = begins_cycle ? Point{} : force_of_step(load);
-  for (std::size_t k = 0; k < 3; ++k) load.before[k] = begins_cycle ? 0 : load.before[k] + last[k];
-  load.steps_before = begins_cycle ? 0 : load.steps_before + 1;
-}
-
 template <class S>
 Point FacePressures<S>::mean_force(const Load& load) {
   if (load.force_read) return *load.force_read;
   Point force = force_of_step(load);
-  if (load.steps_before == 0) return force;
-  for (std::size_t k = 0; k < 3; ++k) force[k] = (load.before[k] + force[k]) / (load.steps_before + 1);
+  for (std::size_t k = 0; k < 3; ++k) force[k] = load.cycle[k].with(force[k]);
   return force;
 }
 

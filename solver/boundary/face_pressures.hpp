@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstdint>
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -9,6 +9,7 @@
 #include <solver/model/model.hpp>
 #include <solver/results.hpp>
 
+#include "cycle_mean.hpp"
 #include "space/boundary_kernels.hpp"
 
 namespace pinball {
@@ -38,15 +39,13 @@ class FacePressures {
   struct Load {
     Pressure given;
     std::unique_ptr<PressureKernels<S>> faces;
-    bool acts = false;              ///< at the time of the forces
-    Point before{};                 ///< sum of the forces in the steps of the cycle that are before it [force]
-    std::int32_t steps_before = 0;  ///< how many these are
-    double done = 0;                ///< work of all steps before the last
+    bool acts = false;                 ///< at the time of the forces
+    std::array<CycleMean, 3> cycle{};  ///< of the force
+    double done = 0;                   ///< work of all steps before the last
     ExternalWork last;
     std::optional<Point> force_read;  ///< with a state, up to its next step [force]
   };
   static Point force_of_step(const Load& load);
-  static void take_step(Load& load, bool begins_cycle);
   static Point mean_force(const Load& load);
   std::vector<Load> loads_;
 };

@@ -9,13 +9,6 @@
 namespace pinball {
 
 template <class S>
-void GravityLoads<S>::Factor::take(double factor, bool begins_cycle) {
-  before = begins_cycle ? 0 : before + now;
-  steps_before = begins_cycle ? 0 : steps_before + 1;
-  now = factor;
-}
-
-template <class S>
 GravityLoads<S>::GravityLoads(const Model<S>& model, const BoundaryKernels<S>& kernels) {
   for (const Gravity& given : model.scene.gravities) {
     if (given.bodies.empty()) {

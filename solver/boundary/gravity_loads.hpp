@@ -6,6 +6,7 @@
 #include <solver/model/mass_shares.hpp>
 #include <solver/model/model.hpp>
 
+#include "cycle_mean.hpp"
 #include "named_forces.hpp"
 #include "space/boundary_kernels.hpp"
 
@@ -30,12 +31,14 @@ class GravityLoads {
   using Kernels = std::unique_ptr<NodeForceKernels<S>>;
   /// Of an acceleration.
   struct Factor {
-    double now = 0;                 ///< in this step
-    double before = 0;              ///< sum over those of its cycle that are before it
-    std::int32_t steps_before = 0;  ///< how many these are
+    double now = 0;  ///< in this step
+    CycleMean cycle{};
 
-    void take(double factor, bool begins_cycle);
-    double mean() const { return steps_before > 0 ? (before + now) / (steps_before + 1) : now; }
+    void take(double factor, bool begins_cycle) {
+      cycle.begin_step(begins_cycle, now);
+      now = factor;
+    }
+    double mean() const { return cycle.with(now); }
   };
   /// A force on the part of each node's mass that is of some bodies.
   struct OfBodies {
