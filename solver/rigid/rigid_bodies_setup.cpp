@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <solver/base/error.hpp>
+#include <solver/base/moments_of_inertia.hpp>
 #include <solver/model/elements/element_start.hpp>
 #include <solver/model/ordering.hpp>
 
@@ -44,11 +45,8 @@ MassOfNodes mass_of(std::size_t count, const Mass& mass, const Place& place) {
   for (std::size_t k = 0; k < 3; ++k) all.centre[k] += rest[k] / all.mass;
   for (std::size_t i = 0; i < count; ++i) {
     const Point r = minus(place(i), all.centre);
-    const double square = dot(r, r);
     all.far = std::max(all.far, norm(place(i)));
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t l = 0; l < 3; ++l) all.inertia[k][l] += mass(i) * ((k == l ? square : 0.0) - r[k] * r[l]);
-    }
+    add_moments(all.inertia, mass(i), r);
   }
   return all;
 }
@@ -162,11 +160,7 @@ void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const s
 template <class S>
 void RigidBodies<S>::set_offset(const Point& offset, Body& body) const {
   body.offset = offset;
-  const double square = dot(offset, offset), mass = body.motion.mass();
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t l = 0; l < 3; ++l)
-      body.more_inertia[k][l] -= mass * ((k == l ? square : 0.0) - offset[k] * offset[l]);
-  }
+  add_moments(body.more_inertia, -body.motion.mass(), offset);
 }
 
 template <class S>

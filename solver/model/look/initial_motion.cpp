@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include <solver/base/moments_of_inertia.hpp>
 #include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
@@ -65,11 +66,8 @@ class Turning {
  public:
   void add(const Point& r, const Point& v) {
     const Point moment = cross(r, v);
-    const double square = dot(r, r);
-    for (std::size_t k = 0; k < 3; ++k) {
-      momentum_[k] += moment[k];
-      for (std::size_t l = 0; l < 3; ++l) inertia_[k][l] += (k == l ? square : 0) - r[k] * r[l];
-    }
+    for (std::size_t k = 0; k < 3; ++k) momentum_[k] += moment[k];
+    add_moments(inertia_, 1, r);
   }
   Point velocity() const {
     const double trace = inertia_[0][0] + inertia_[1][1] + inertia_[2][2];

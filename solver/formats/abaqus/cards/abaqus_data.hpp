@@ -47,22 +47,30 @@ struct AbaqusNodes {
   std::vector<std::int32_t> members;  ///< places in the mesh
 };
 
+/// Of a rigid body with what is at its reference node.
+struct AbaqusWeight {
+  double mass = 0;  ///< without what nodes have of elements that deform [mass]
+  Point centre{};
+  std::array<Point, 3> inertia{};  ///< about the centre, with those of all its nodes [mass length^2]
+};
+
 /// A *RIGID BODY: bodies that move as one, with their reference node; or a *COUPLING: nodes that do.
 struct AbaqusRigidBody {
   DeckCard card;
   std::vector<std::string> bodies;
-  std::vector<std::int32_t> tied{};  ///< nodes of parts that deform which move with it, ascending
-  std::vector<bool> own{};           ///< per node of the mesh: whether its elements have it; empty: of nodes alone
-  double mass = 0;                   ///< of MASS elements at its reference node [mass]
-  std::array<Point, 3> inertia{};    ///< of ROTARYI elements there [mass length^2]
-  std::array<double, 6> guided{};    ///< for how long each direction, and rotation, is held or moved [time]
-  std::string name{}, nodes{};       ///< of a *COUPLING: its own in the scene, and that of its set in the mesh
-  std::int32_t node = -1;            ///< place of the reference node in the mesh
-  Point offset{};                    ///< of it from the centre of mass [length]
-  unsigned held = 0;                 ///< at all times: bits of x, y, z, and behind these of rotations about them
-  unsigned translations = 0;         ///< the same of directions that are held or moved at any time
-  unsigned angles = 0;               ///< the same of rotations that are given as angles
-  bool is_wall = false;              ///< of an analytical surface, without bodies
+  std::vector<std::int32_t> tied{};      ///< nodes of parts that deform which move with it, ascending
+  std::vector<bool> own{};               ///< per node of the mesh: whether its elements have it; empty: of nodes alone
+  double mass = 0;                       ///< of MASS elements at its reference node [mass]
+  std::array<Point, 3> inertia{};        ///< of ROTARYI elements there [mass length^2]
+  std::optional<AbaqusWeight> weight{};  ///< where it is not that of its solids alone
+  std::array<double, 6> guided{};        ///< for how long each direction, and rotation, is held or moved [time]
+  std::string name{}, nodes{};           ///< of a *COUPLING: its own in the scene, and that of its set in the mesh
+  std::int32_t node = -1;                ///< place of the reference node in the mesh
+  Point offset{};                        ///< of it from the centre of mass [length]
+  unsigned held = 0;                     ///< at all times: bits of x, y, z, and behind these of rotations about them
+  unsigned translations = 0;             ///< the same of directions that are held or moved at any time
+  unsigned angles = 0;                   ///< the same of rotations that are given as angles
+  bool is_wall = false;                  ///< of an analytical surface, without bodies
   bool is_coupling() const { return !name.empty(); }
   std::optional<Point> velocity{}, angular_velocity{};  ///< of the reference node, at the start
 };

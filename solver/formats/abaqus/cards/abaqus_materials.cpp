@@ -305,6 +305,16 @@ std::map<std::string, double> abaqus_densities(const AbaqusDeck& deck) {
   return first_numbers(deck, "DENSITY", "the density");
 }
 
+std::vector<double> abaqus_densities_of_parts(const AbaqusData& data) {
+  const std::map<std::string, double> densities = abaqus_densities(data.deck);
+  std::vector<double> of_parts(data.mesh.file.parts.size(), 0.0);
+  for (const AbaqusBody& body : data.bodies) {
+    const auto found = densities.find(body.material);
+    if (found != densities.end()) of_parts[body.section] = found->second;
+  }
+  return of_parts;
+}
+
 std::map<std::string, double> abaqus_moduli(const AbaqusDeck& deck) {
   std::map<std::string, double> moduli = first_numbers(deck, "ELASTIC", "Young's modulus");
   for (const auto& [key, material] : materials_of(deck)) {

@@ -20,6 +20,8 @@ void translate_abaqus_controls(AbaqusData& data, DeckScene& scene);
 
 /// DENSITY of each material that has one, by its key.
 std::map<std::string, double> abaqus_densities(const AbaqusDeck& deck);
+/// The same per part of the mesh; 0: it has none.
+std::vector<double> abaqus_densities_of_parts(const AbaqusData& data);
 /// Young's modulus of each material that has one, by its key.
 std::map<std::string, double> abaqus_moduli(const AbaqusDeck& deck);
 /// A [[material]] for each that a body has, of MATERIAL and its options.
@@ -28,6 +30,8 @@ void translate_abaqus_materials(AbaqusData& data, DeckScene& scene);
 /// A [[body]] for each section of an instance; mesh_file: as the scene names it.
 void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_file, DeckScene& scene);
 
+/// Of the size of a body: a reference node this near to its centre is in it.
+constexpr double near_abaqus_centre = 1e-3;
 /// RIGID BODY, before what holds and moves reference nodes, and what has become of them: [[rigid_body]].
 void find_abaqus_rigid_bodies(AbaqusData& data);
 void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include <solver/mesh/quality.hpp>
+#include <solver/base/moments_of_inertia.hpp>
+#include <solver/mesh/file/node_masses.hpp>
 
 #include "abaqus_parts.hpp"
 
@@ -11,8 +13,6 @@
 namespace pinball {
 
 namespace {
-
-constexpr double near_centre = 1e-3;  ///< of the size of a body, as of those of solids
 
 /// Whether *ELSET keywords of this label list an element by its number.
 bool is_in_set(const AbaqusComponent& component, const std::string& key, std::int64_t number) {
@@ -77,80 +77,38 @@ double mass_of_line(const AbaqusBlock& block) {
   return mass;
 }
 
-void add_moments(std::array<Point, 3>& inertia, double mass, const Point& arm) {
-  const double square = dot(arm, arm);
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t l = 0; l < 3; ++l) inertia[k][l] += mass * ((k == l ? square : 0.0) - arm[k] * arm[l]);
-  }
-}
-
-/// Per node of the mesh, an eighth of each of its elements; of rigid elements nothing.
-std::vector<double> masses_of_nodes(const AbaqusData& data) {
-  const std::map<std::string, double> densities = abaqus_densities(data.deck);
-  std::vector<double> density(data.mesh.file.parts.size(), 0.0);
+/// Of the elements of some bodies. density: per part.
+double mass_of_bodies(const AbaqusData& data, const std::vector<std::string>& names, std::vector<double> density) {
   for (const AbaqusBody& body : data.bodies) {
-    const auto found = densities.find(body.material);
-    if (found != densities.end()) density[body.section] = found->second;
+    if (std::ranges::count(names, body.name) == 0) density[body.section] = 0;
   }
-  const Mesh& mesh = data.mesh.file.mesh;
-  std::vector<double> masses(mesh.nodes.size(), 0.0);
-  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    const double of_part = density[data.mesh.file.part[e]];
-    if (of_part == 0) continue;
-    std::array<Point, 8> corners;
-    for (std::size_t c = 0; c < 8; ++c) corners[c] = mesh.nodes[mesh.hexahedra[e][c]];
-    const double of_corner = of_part * volume_by_quadrature(corners) / 8;
-    for (const std::int32_t node : mesh.hexahedra[e]) masses[node] += of_corner;
-  }
-  return masses;
+  const std::vector<double> masses = node_masses(data.mesh.file, density);
+  return std::accumulate(masses.begin(), masses.end(), 0.0);
 }
 
-/// Of the elements of some bodies.
-double mass_of_bodies(const AbaqusData& data, const std::vector<std::string>& names) {
-  const std::map<std::string, double> densities = abaqus_densities(data.deck);
-  const MeshFile& file = data.mesh.file;
-  double mass = 0;
-  for (const AbaqusBody& body : data.bodies) {
-    const auto found = densities.find(body.material);
-    if (found == densities.end() || std::ranges::count(names, body.name) == 0) continue;
-    for (std::size_t e = 0; e < file.part.size(); ++e) {
-      if (static_cast<std::size_t>(file.part[e]) != body.section) continue;
-      std::array<Point, 8> corners;
-      for (std::size_t c = 0; c < 8; ++c) corners[c] = file.mesh.nodes[file.mesh.hexahedra[e][c]];
-      mass += found->second * volume_by_quadrature(corners);
-    }
-  }
-  return mass;
-}
-
-/// A rigid body with what its nodes have of elements, and with what is at its reference node.
-struct Weight {
-  double mass = 0;
-  Point centre{};
-  std::array<Point, 3> inertia{};  ///< about the centre
-  double size = 0;                 ///< largest distance of a node from the reference node [length]
-};
-
-Weight weight_of(const AbaqusData& data, const AbaqusRigidBody& rigid) {
+/// With what is at its reference node. masses: what nodes have of elements.
+AbaqusWeight weight_of(const AbaqusData& data, const AbaqusRigidBody& rigid, const std::vector<double>& masses) {
   const std::vector<Point>& places = data.mesh.file.mesh.nodes;
-  std::vector<double> masses = masses_of_nodes(data);
   std::vector<std::int32_t> nodes = rigid.tied;
   for (std::size_t n = 0; n < rigid.own.size(); ++n) {
     if (rigid.own[n]) nodes.push_back(static_cast<std::int32_t>(n));
   }
   const Point& reference = places[rigid.node];
-  Weight all{rigid.mass, {}, rigid.inertia, 0};
+  double mass = rigid.mass, size = 0;
+  Point first{};
   for (const std::int32_t n : nodes) {
     const Point arm = minus(places[n], reference);
-    all.mass += masses[n];
-    for (std::size_t k = 0; k < 3; ++k) all.centre[k] += masses[n] * arm[k];
-    all.size = std::max(all.size, norm(arm));
+    mass += masses[n];
+    for (std::size_t k = 0; k < 3; ++k) first[k] += masses[n] * arm[k];
+    size = std::max(size, norm(arm));
   }
-  for (std::size_t k = 0; k < 3; ++k) all.centre[k] = reference[k] + (all.mass > 0 ? all.centre[k] / all.mass : 0.0);
-  if (norm(minus(all.centre, reference)) <= near_centre * all.size) all.centre = reference;
-  add_moments(all.inertia, rigid.mass, minus(reference, all.centre));
-  for (const std::int32_t n : nodes) add_moments(all.inertia, masses[n], minus(places[n], all.centre));
-  return all;
+  AbaqusWeight weight{.centre = reference, .inertia = rigid.inertia};
+  if (norm(first) > near_abaqus_centre * size * mass) {
+    for (std::size_t k = 0; k < 3; ++k) weight.centre[k] += first[k] / mass;
+  }
+  add_moments(weight.inertia, rigid.mass, minus(reference, weight.centre));
+  for (const std::int32_t n : nodes) add_moments(weight.inertia, masses[n], minus(places[n], weight.centre));
+  return weight;
 }
 
 bool has_rigid_elements(const AbaqusData& data, const AbaqusRigidBody& rigid) {
@@ -175,6 +133,21 @@ bool fill_moments(const AbaqusData& data, const AbaqusRigidBody& rigid, std::arr
     inertia[k][k] = largest;
   }
   return lacks;
+}
+
+/// Those of which the mass is not that of their solids alone.
+void weigh_rigid_bodies(AbaqusData& data) {
+  std::vector<double> density, masses;
+  for (AbaqusRigidBody& rigid : data.rigid) {
+    if (rigid.is_coupling() || rigid.is_wall || !is_weighed(data, rigid)) continue;
+    if (density.empty()) {
+      density = abaqus_densities_of_parts(data);
+      masses = node_masses(data.mesh.file, density);
+    }
+    rigid.weight = weight_of(data, rigid, masses);
+    rigid.weight->mass = rigid.mass + mass_of_bodies(data, rigid.bodies, density);
+    rigid.offset = minus(data.mesh.file.mesh.nodes[rigid.node], rigid.weight->centre);
+  }
 }
 
 }  // namespace
@@ -208,18 +181,13 @@ void find_abaqus_point_masses(AbaqusData& data) {
     if (!known[i])
       data.report.unused(data.mesh.points[i].place, "*ELEMENT of one node", "no *MASS or *ROTARY INERTIA is for it");
   }
-  for (AbaqusRigidBody& rigid : data.rigid) {
-    if (rigid.is_coupling() || rigid.is_wall || !is_weighed(data, rigid)) continue;
-    rigid.offset = minus(data.mesh.file.mesh.nodes[rigid.node], weight_of(data, rigid).centre);
-  }
+  weigh_rigid_bodies(data);
 }
 
 void set_abaqus_mass(AbaqusData& data, const AbaqusRigidBody& rigid, const DeckKeys<RigidBody>& keys) {
-  if (rigid.is_coupling() || !is_weighed(data, rigid)) return;
-  const double own = rigid.mass + mass_of_bodies(data, rigid.bodies);
-  const bool is_led = std::ranges::all_of(rigid.guided, [&](double time) { return time >= data.end(); });
-  if (own == 0) {
-    if (!is_led)
+  if (!rigid.weight) return;
+  if (rigid.weight->mass == 0) {
+    if (!std::ranges::all_of(rigid.guided, [&](double time) { return time >= data.end(); }))
       return data.report.reject(
           rigid.card.place, "*RIGID BODY of rigid elements without mass",
           "*MASS and *ROTARY INERTIA of its reference node, or hold or move it in all directions");
@@ -230,16 +198,16 @@ void set_abaqus_mass(AbaqusData& data, const AbaqusRigidBody& rigid, const DeckK
                     rigid.card.place.text()));
     return;
   }
-  keys.set("mass", own);
+  keys.set("mass", rigid.weight->mass);
   if ((rigid.held >> 3U) == 7U) return;  // it does not turn
-  Weight weight = weight_of(data, rigid);
-  const bool lacks = fill_moments(data, rigid, weight.inertia);
+  std::array<Point, 3> inertia = rigid.weight->inertia;
+  const bool lacks = fill_moments(data, rigid, inertia);
   if (lacks)
     return data.report.reject(rigid.card.place, "*RIGID BODY of rigid elements without moments of inertia",
                               "*ROTARY INERTIA of its reference node, or hold its rotations");
-  if (weight.inertia[0][0] == 0) return;
-  keys.set("centre", weight.centre);
-  keys.set("inertia", given_list(weight.inertia));
+  if (inertia[0][0] == 0) return;
+  keys.set("centre", rigid.weight->centre);
+  keys.set("inertia", given_list(inertia));
 }
 
 }  // namespace pinball

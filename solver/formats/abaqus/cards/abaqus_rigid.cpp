@@ -14,19 +14,12 @@ namespace pinball {
 
 namespace {
 
-constexpr double in_centre = 1e-3;  ///< of the size of a body: a reference node this near to its centre is in it
-
 /// From the centre of the masses at the nodes to a point, or nothing where that is as good as there. counts: whether a
 /// node does.
 template <class Counts>
 Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& elements, const Point& point,
                 const Counts& counts) {
-  const std::map<std::string, double> densities = abaqus_densities(data.deck);
-  std::vector<double> density(data.mesh.file.parts.size(), 0.0);
-  for (const AbaqusBody& body : data.bodies) {
-    const auto found = densities.find(body.material);
-    if (found != densities.end()) density[body.section] = found->second;
-  }
+  const std::vector<double> density = abaqus_densities_of_parts(data);
   const Mesh& mesh = data.mesh.file.mesh;
   double mass = 0, size = 0;
   Point first{};
@@ -50,7 +43,7 @@ Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& element
       size = std::max(size, norm(Point{from_point[0] + first[0], from_point[1] + first[1], from_point[2] + first[2]}));
     }
   }
-  return norm(first) <= in_centre * size ? Point{} : first;
+  return norm(first) <= near_abaqus_centre * size ? Point{} : first;
 }
 
 /// Place of the reference node in the mesh.

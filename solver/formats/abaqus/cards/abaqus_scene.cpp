@@ -51,10 +51,12 @@ std::string rejected_load(const AbaqusBlock& block) {
 /// What of the data lines of a keyword is not done; empty: nothing.
 std::string rejected_data(const AbaqusBlock& block) {
   const std::string& name = block.name;
-  const std::string type = name == "ELEMENT" ? block.option("TYPE") : "C3D8";
-  if (nodes_of_rigid_element(type) == 0 && !is_point_element(type) &&
-      element_type(&ElementType::abaqus, type) == nullptr)
-    return "*ELEMENT, TYPE=" + block.option("TYPE");
+  if (name == "ELEMENT") {
+    const std::string type = block.option("TYPE");
+    const bool known = nodes_of_rigid_element(type) > 0 || is_point_element(type) ||
+                       element_type(&ElementType::abaqus, type) != nullptr;
+    return known ? "" : "*ELEMENT, TYPE=" + type;
+  }
   const bool is_isotropic = name == "ELASTIC" && (!block.has("TYPE") || block.option("TYPE").starts_with("ISO")),
              is_johnson_cook = name == "PLASTIC" && block.option("HARDENING") == "JOHNSONCOOK";
   const bool depends =

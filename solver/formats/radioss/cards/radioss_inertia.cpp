@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <solver/base/moments_of_inertia.hpp>
 #include <solver/formats/radioss/layouts/radioss_material_cards.hpp>
-#include <solver/mesh/quality.hpp>
+#include <solver/mesh/file/node_masses.hpp>
 
 namespace pinball {
 
 namespace {
-
-void add_moments(std::array<Point, 3>& inertia, double mass, const Point& from_centre) {
-  const double square = dot(from_centre, from_centre);
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t l = 0; l < 3; ++l)
-      inertia[k][l] += mass * ((k == l ? square : 0.0) - from_centre[k] * from_centre[l]);
-  }
-}
 
 /// Per part of the mesh.
 std::vector<double> densities(const RadiossData& data) {
@@ -31,20 +24,6 @@ std::vector<double> densities(const RadiossData& data) {
     }
   }
   return density;
-}
-
-/// Per node of the mesh: an eighth of each of its own.
-std::vector<double> masses(const RadiossData& data) {
-  const std::vector<double> density = densities(data);
-  const Mesh& mesh = data.mesh.mesh;
-  std::vector<double> mass(mesh.nodes.size(), 0.0);
-  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    std::array<Point, 8> corners;
-    for (std::size_t c = 0; c < 8; ++c) corners[c] = mesh.nodes[mesh.hexahedra[e][c]];
-    const double of_corner = density[data.mesh.part[e]] * volume_by_quadrature(corners) / 8;
-    for (const std::int32_t node : mesh.hexahedra[e]) mass[node] += of_corner;
-  }
-  return mass;
 }
 
 /// The place of two masses.
@@ -64,7 +43,7 @@ std::int32_t largest(const std::vector<std::int32_t>& nodes, const Size& size) {
 
 RadiossInertia radioss_inertia(const RadiossData& data, const std::vector<bool>& nodes,
                                const std::optional<Point>& centre) {
-  const std::vector<double> mass = masses(data);
+  const std::vector<double> mass = node_masses(data.mesh, densities(data));
   const std::vector<Point>& places = data.mesh.mesh.nodes;
   RadiossInertia all;
   for (std::size_t n = 0; n < places.size(); ++n) {
