@@ -200,6 +200,18 @@ TEST_F(AbaqusRigidElements, MoveAsTheirReferenceNodeIsMoved) {
   EXPECT_NEAR(summary.rigid_bodies.at(0).centre[2], 5 - 40 * 1e-5, 1e-9);
 }
 
+/// Held twice in the first of two steps, it is not held in the second one.
+TEST_F(AbaqusRigidElements, WithoutMassAreHeldOrMovedAllTheTime) {
+  const std::string begin =
+      cube_at(9) + box(5) + abaqus_steel + "*BOUNDARY\n200, ENCASTRE\n200, 1, 6\n" + step_of(1e-6);
+  const auto then = [&](const std::string& lines) {
+    return error(begin + step_of(1e-6, "*BOUNDARY, OP=NEW\n" + lines));
+  };
+  EXPECT_THAT(then("5, 1\n"), HasSubstr("*RIGID BODY of rigid elements without mass"));
+  EXPECT_THAT(then("200, 1, 5\n"), HasSubstr("*RIGID BODY of rigid elements without mass"));
+  EXPECT_EQ(then("200, 1, 6\n"), no_error);
+}
+
 TEST_F(AbaqusRigidElements, AreToldAndRefusedByName) {
   const std::string rest = abaqus_steel + abaqus_step();
   EXPECT_THAT(

@@ -203,7 +203,7 @@ class Boundary {
       AbaqusRigidBody& rigid = *data_.rigid_at(node);
       rigid.translations |= line.held.directions & 7U;
       for (unsigned k = 0; k < 6; ++k) {
-        if ((line.held.directions >> k & 1U) != 0) rigid.guided[k] += line.end.value_or(data_.end()) - line.start;
+        if ((line.held.directions >> k & 1U) != 0) rigid.led[k].push_back({line.start, line.end.value_or(data_.end())});
       }
       if (!line.moves && line.start == 0 && !line.end) {
         rigid.held |= line.held.directions;

@@ -21,6 +21,16 @@ std::string AbaqusData::plain_name(const std::string& label) {
   return name;
 }
 
+bool AbaqusRigidBody::is_led(std::size_t direction, double end) const {
+  std::vector<std::array<double, 2>> times = led[direction];
+  std::ranges::sort(times);
+  double until = 0;
+  for (const auto& [from, to] : times) {
+    if (from <= until) until = std::max(until, to);
+  }
+  return until >= end;
+}
+
 AbaqusData::AbaqusData(const AbaqusDeck& deck_, const AbaqusMesh& mesh_, DeckReport& report_)
     : deck(deck_), mesh(mesh_), report(report_), middles(mesh_.file), numbers_(mesh_.file.node_ids) {
   used.assign(mesh.file.mesh.nodes.size(), false);

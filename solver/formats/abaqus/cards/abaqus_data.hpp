@@ -63,15 +63,17 @@ struct AbaqusRigidBody {
   double mass = 0;                       ///< of MASS elements at its reference node [mass]
   std::array<Point, 3> inertia{};        ///< of ROTARYI elements there [mass length^2]
   std::optional<AbaqusWeight> weight{};  ///< where it is not that of its solids alone
-  std::array<double, 6> guided{};        ///< for how long each direction, and rotation, is held or moved [time]
-  std::string name{}, nodes{};           ///< of a *COUPLING: its own in the scene, and that of its set in the mesh
-  std::int32_t node = -1;                ///< place of the reference node in the mesh
-  Point offset{};                        ///< of it from the centre of mass [length]
-  unsigned held = 0;                     ///< at all times: bits of x, y, z, and behind these of rotations about them
-  unsigned translations = 0;             ///< the same of directions that are held or moved at any time
-  unsigned angles = 0;                   ///< the same of rotations that are given as angles
-  bool is_wall = false;                  ///< of an analytical surface, without bodies
+  std::array<std::vector<std::array<double, 2>>, 6> led{};  ///< from when to when directions, and rotations, are given
+  std::string name{}, nodes{};  ///< of a *COUPLING: its own in the scene, and that of its set in the mesh
+  std::int32_t node = -1;       ///< place of the reference node in the mesh
+  Point offset{};               ///< of it from the centre of mass [length]
+  unsigned held = 0;            ///< at all times: bits of x, y, z, and behind these of rotations about them
+  unsigned translations = 0;    ///< the same of directions that are held or moved at any time
+  unsigned angles = 0;          ///< the same of rotations that are given as angles
+  bool is_wall = false;         ///< of an analytical surface, without bodies
   bool is_coupling() const { return !name.empty(); }
+  /// Whether a direction, or behind three of them a rotation, is held or moved from the start to the end.
+  bool is_led(std::size_t direction, double end) const;
   std::optional<Point> velocity{}, angular_velocity{};  ///< of the reference node, at the start
 };
 

@@ -122,6 +122,13 @@ bool is_weighed(const AbaqusData& data, const AbaqusRigidBody& rigid) {
   return rigid.mass > 0 || rigid.inertia != std::array<Point, 3>{} || has_rigid_elements(data, rigid);
 }
 
+bool is_led_in_all_directions(const AbaqusData& data, const AbaqusRigidBody& rigid) {
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (!rigid.is_led(k, data.end())) return false;
+  }
+  return true;
+}
+
 /// The moment about an axis about which the body is moved as given means nothing: where none is given it is the largest
 /// of the others. Returns whether the body turns by itself about an axis without one.
 bool fill_moments(const AbaqusData& data, const AbaqusRigidBody& rigid, std::array<Point, 3>& inertia) {
@@ -129,7 +136,7 @@ bool fill_moments(const AbaqusData& data, const AbaqusRigidBody& rigid, std::arr
   bool lacks = false;
   for (std::size_t k = 0; k < 3; ++k) {
     if (inertia[k][k] > 0) continue;
-    if (rigid.guided[3 + k] < data.end()) lacks = true;
+    if (!rigid.is_led(3 + k, data.end())) lacks = true;
     inertia[k][k] = largest;
   }
   return lacks;
@@ -187,7 +194,7 @@ void find_abaqus_point_masses(AbaqusData& data) {
 void set_abaqus_mass(AbaqusData& data, const AbaqusRigidBody& rigid, const DeckKeys<RigidBody>& keys) {
   if (!rigid.weight) return;
   if (rigid.weight->mass == 0) {
-    if (!std::ranges::all_of(rigid.guided, [&](double time) { return time >= data.end(); }))
+    if (!is_led_in_all_directions(data, rigid))
       return data.report.reject(
           rigid.card.place, "*RIGID BODY of rigid elements without mass",
           "*MASS and *ROTARY INERTIA of its reference node, or hold or move it in all directions");
