@@ -48,7 +48,8 @@ void read_inertia(RadiossData& data, const RadiossFields& f, const RadiossFields
   if (given.centre == 4 && !(given.mass > 0))
     f.fail("Mass", "expected a mass above 0, for with ICoG 4 that of the nodes does not count");
   if (given.mass > 0 && (rigid.attaches || touches_others(data, in_group, rigid.bodies))) {
-    data.report.reject(f.place(), "/RBODY with Mass and nodes of bodies that deform", "leave it 0");
+    data.report.reject(f.place(), "/RBODY with Mass and nodes of bodies that deform",
+                       "leave it 0, and give its main node no /ADMAS");
     return;
   }
   rigid.inertia = with_main_node(data, in_group, data.mesh.mesh.nodes[rigid.main], given);
