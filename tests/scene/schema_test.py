@@ -1,10 +1,10 @@
 """The JSON Schema of scenes takes what the reader takes, and refuses what is wrong by itself: a key, a type, a bound, a name.
+The reader is asked a thousand times: by the Python module.
 
     schema_test.py PROGRAM FOLDER
 """
 
 import json
-import os
 import pathlib
 import re
 import shutil
@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tomllib
 import unittest
+
+import pinball
 
 try:
     import jsonschema
@@ -28,8 +30,7 @@ FILES = ["tube.msh", "tube.k", "tube.vtk", "tube.g", "tube.inp", "tube.rad"]
 
 
 def run(*words):
-    """With one thread: it is called over a thousand times."""
-    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True)
 
 
 SCHEMA = json.loads(run("schema").stdout)
@@ -99,13 +100,16 @@ class Schema(unittest.TestCase):
             (FOLDER / name).write_text("")
 
     def problem_of_reader(self, lines):
-        """What the reader says of a scene: (line, text); of a scene that is read the meshes are still no meshes."""
+        """What the reader says of a scene: (line, text)."""
         path = FOLDER / "scene.toml"
         path.write_text("\n".join(lines) + "\n")
-        done = run("info", str(path))
-        self.assertEqual(done.returncode, 2, done.stderr)
-        at = re.match(rf"pinball: error: {re.escape(str(path))}:(\d+):\d+: (.*)", done.stderr)
-        return at and (int(at[1]), at[2])
+        try:
+            pinball.read_scene(str(path))
+        except pinball.InputError as error:
+            at = re.fullmatch(rf"{re.escape(str(path))}:(\d+):\d+: (.*)", str(error), re.S)
+            self.assertIsNotNone(at, error)
+            return int(at[1]), at[2]
+        return None
 
     def refused_by_schema(self, lines):
         return not VALIDATOR.is_valid(tomllib.loads("\n".join(lines)))
