@@ -37,11 +37,16 @@ def run(*command):
     subprocess.run(command, check=True, cwd=ROOT)
 
 
-def install(build, staging):
-    """Builds what is needed and copies it. Returns the folder of the package."""
+def configure(build):
+    """Configures a folder to build in, if that has not been done."""
     if not (build / "CMakeCache.txt").exists():
         run("cmake", "-S", ROOT, "-B", build, *CONFIGURATION, f"-DPython_EXECUTABLE={sys.executable}",
             *shlex.split(os.environ.get("CMAKE_ARGS", "")))
+
+
+def install(build, staging):
+    """Builds what is needed and copies it. Returns the folder of the package."""
+    configure(build)
     run("cmake", "--build", build, "--target", "pinball_python")
     run("cmake", "--install", build, "--component", "python", "--prefix", staging)
     found = list(staging.rglob("pinball/__init__.py"))

@@ -1,5 +1,7 @@
 """The archive of the sources unpacks, and makes the package for Debian where no network can be reached and no git is.
-What is tested is how it is packed: it is compiled with less effort, and for one level of x86-64 beside the first.
+What is tested is how it is packed: it is compiled with less effort, and for one level of x86-64 beside the first. All that
+docs/extending.md adds is added before, so that one build shows of both that they compile, and that each addition does what
+it says.
 
     source_test.py CMAKE BUILD_FOLDER FOLDER            looks what is in it
     source_test.py CMAKE BUILD_FOLDER FOLDER test       configures it, and runs tests of the tree itself, without a git
@@ -15,6 +17,10 @@ import tarfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 LEVEL = "x86-64-v3"
+sys.path.insert(0, str(ROOT / "tests" / "docs"))
+
+import extending_checks
+import extending_test
 
 
 def without_network():
@@ -75,14 +81,18 @@ def main():
         shutil.rmtree(folder)
         return
 
+    for difference in extending_test.differences():
+        extending_test.apply(difference, tree)
     environment = {name: value for name, value in os.environ.items() if not name.startswith("GIT_")}
     offline = without_network()
-    for command in [[cmake, "--preset", "package", f"-DPINBALL_HWCAPS={LEVEL}", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"],
+    for command in [[cmake, "--preset", "package", f"-DPINBALL_HWCAPS={LEVEL}", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
+                     "-DPINBALL_WERROR=ON"],
                     [cmake, "--build", "--preset", "package"], [cpack, "--preset", "package"]]:
         subprocess.run([*offline, *command], check=True, cwd=tree, env=environment)
     package, = (tree / "build" / "package").glob("*.deb")
     shutil.copy(package, folder / "pinball.deb")
     (folder / "levels").write_text(LEVEL)
+    extending_checks.check_all(tree / "build" / "package" / "pinball", tree)
     shutil.rmtree(tree)
 
 

@@ -1,5 +1,6 @@
-"""Makes the wheel, installs it where there is nothing else, and runs a scene of its own with it:
-    wheel_test.py BUILD_FOLDER FOLDER [TREE]        of this tree or another; the build folder is configured if it is not"""
+"""Makes the wheel of what is built, installs it where there is nothing else, and runs a scene of its own with it; and looks
+how a wheel would be built for itself:
+    wheel_test.py BUILD_FOLDER FOLDER"""
 
 import os
 import pathlib
@@ -8,8 +9,8 @@ import subprocess
 import sys
 import zipfile
 
-build, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-root = sys.argv[3] if sys.argv[3:] else pathlib.Path(__file__).resolve().parent.parent.parent
+build, folder = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+root = pathlib.Path(__file__).resolve().parent.parent.parent
 shutil.rmtree(folder, ignore_errors=True)
 folder.mkdir(parents=True)
 environment = {key: value for key, value in os.environ.items() if not key.startswith(("PINBALL", "PYTHON", "PIP"))}
@@ -37,3 +38,13 @@ assert simulation.run()
 print(f"pinball {pinball.__version__}: {simulation.steps} steps, state {simulation.state_hash:016x}")
 """
 subprocess.run([python, "-c", program], check=True, env=environment, cwd=folder)
+
+# One that is built for itself is configured as it should be, and has what it is made of.
+subprocess.run([sys.executable, "-c", f"import cmake_wheel, pathlib; cmake_wheel.configure(pathlib.Path({str(folder / 'anew')!r}))"],
+               check=True, cwd=root / "packaging" / "wheel", stdout=subprocess.DEVNULL,
+               env={**environment, "CMAKE_ARGS": "-DPINBALL_NATIVE=OFF '-DCMAKE_CXX_FLAGS=-DONE -DTWO'", "PYTHONDONTWRITEBYTECODE": "1"})
+cache = set((folder / "anew" / "CMakeCache.txt").read_text().splitlines())
+expected = {"CMAKE_BUILD_TYPE:STRING=Release", "PINBALL_TESTS:BOOL=OFF", "PINBALL_BENCH:BOOL=OFF", "PINBALL_PYTHON:BOOL=ON",
+            "BUILD_SHARED_LIBS:BOOL=OFF", "PINBALL_NATIVE:BOOL=OFF", "CMAKE_CXX_FLAGS:STRING=-DONE -DTWO"}
+assert expected <= cache, expected - cache
+subprocess.run(["ninja", "-C", folder / "anew", "-n", "pinball_python"], check=True, stdout=subprocess.DEVNULL)
