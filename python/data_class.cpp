@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "live_objects.hpp"
+#include "shown_lists.hpp"
 
 namespace pinball::python {
 
@@ -88,8 +89,10 @@ void bind_field(DataType& type, DataField field, const char* text, bool writable
   const py::is_method method(type.type);
   const DataType* data_type = &type;
   const py::cpp_function getter(
-      [data_type, field](const py::object& self) {
-        return field.type->show(field.member_of(data_type->data_of(self)), self);
+      [data_type, field, writable](const py::object& self) {
+        py::object shown = field.type->show(field.member_of(data_type->data_of(self)), self);
+        if (!writable) return shown;
+        return shown_list(std::move(shown), text_of_type(data_type->type) + "." + field.name);
       },
       method);
   py::object setter = py::none();

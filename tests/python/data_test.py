@@ -2,6 +2,7 @@
 
 import copy
 import gc
+import json
 import pathlib
 import pickle
 import random
@@ -173,6 +174,44 @@ class Fields(unittest.TestCase):
             pinball.Scene().materials = 1
         with self.assertRaisesRegex(TypeError, r"Body.velocity: .*float.* expected, list given"):
             pinball.Body(velocity=["a", 0, 0])
+
+    def test_refuse_to_lose_what_is_changed_in_place(self):
+        """A list of numbers or texts that a field shows is a copy: what is changed in it would be lost."""
+        changes = [lambda l: l.__setitem__(0, l[0]), lambda l: l.__setitem__(slice(0, 1), [l[0]]), lambda l: l.__delitem__(0), lambda l: l.append(l[0]),
+                   lambda l: l.extend(l), lambda l: l.insert(0, l[0]), lambda l: l.pop(), lambda l: l.remove(l[0]),
+                   lambda l: l.clear(), lambda l: l.sort(), lambda l: l.sort(reverse=True), lambda l: l.reverse()]
+        seen = 0
+        for name, data in vars(pinball).items():
+            if not isinstance(data, type) or name.endswith("Result") or "kwargs" not in str(data.__init__.__doc__):
+                continue
+            for field in data.__annotations__:
+                shown = getattr(data(), field)
+                for each in [shown, *shown] if isinstance(shown, list) else []:
+                    if not isinstance(each, list):
+                        continue
+                    for change in changes[3 if not each else 0:]:
+                        if not each and change in (changes[3], changes[5], changes[7]):
+                            continue
+                        with self.assertRaisesRegex(TypeError, rf"{name}\.{field} shows a copy"):
+                            change(each)
+                        seen += 1
+        self.assertGreater(seen, 300)
+
+    def test_show_lists_that_are_lists(self):
+        body = pinball.Body(velocity=[1, 2, 3], velocity_gradient=[[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+        for again in (copy.copy(body.velocity), copy.deepcopy(body.velocity), pickle.loads(pickle.dumps(body.velocity)), list(body.velocity)):
+            again.append(4.0)
+            self.assertEqual((again, type(again)), ([1, 2, 3, 4], list))
+        gradient = copy.deepcopy(body.velocity_gradient)
+        gradient[2][1] = 7.0
+        body.velocity_gradient = gradient
+        self.assertEqual(body.velocity_gradient, [[1, 0, 0], [0, 1, 0], [0, 7, 1]])
+        self.assertEqual((json.dumps(body.velocity), repr(body.velocity)), ("[1.0, 2.0, 3.0]", "[1.0, 2.0, 3.0]"))
+        output = pinball.OutputSettings(fields=["stress"])
+        output.fields += ["alive"]
+        self.assertEqual(output.fields, ["stress", "alive"])
+        output.fields *= 2
+        self.assertEqual(output.fields, ["stress", "alive"] * 2)
 
     def test_make_meshes(self):
         made = pinball.SphereMesh(radius=1.0, core=[2, 2], ring=2)
