@@ -111,6 +111,17 @@ TEST_F(OtherHistories, WhatIsNoHistoryIsNamedWithItsLine) {
   EXPECT_THROW(read_other_history(folder_ / "none"), InputError);
 }
 
+/// Texts among numbers, such as those of a decimal comma, were taken for no values, and left out without a word.
+TEST_F(OtherHistories, TextsAmongTheNumbersOfAColumnAreNamedWithTheirLine) {
+  EXPECT_THAT(problem("time,a,b\n0,1,2\n1,\"3,5\",3\n2,3,4\n"),
+              HasSubstr("history:3: column a: expected a number, got '3,5'"));
+  EXPECT_THAT(problem("time;a;b\n0;1;9,75\n1;3;3\n"), HasSubstr("history:2: column b: expected a number, got '9,75'"));
+  const OtherHistory history = read("time,a,b,step\n0,1,nan,one\n1,n/a,-inf,two\n2,***,4,two\n");
+  EXPECT_EQ(curve(history, "a").values[0], 1);
+  EXPECT_TRUE(std::isnan(curve(history, "a").values[1]) && std::isnan(curve(history, "a").values[2]));
+  EXPECT_TRUE(std::isnan(curve(history, "step").values[0]));
+}
+
 TEST_F(OtherHistories, AFileThatIsStillWrittenEndsWithItsLastWholeLine) {
   EXPECT_THAT(read("time,a,b\n0,1,2\n1,2,3\n2,3").times, ElementsAre(0, 1));
 }
@@ -188,6 +199,13 @@ TEST_F(OtherHistories, ARunBesideItsOwnHistoryHasNoDifference) {
     EXPECT_TRUE(of_run["largest_difference"].is_null() || of_run["largest_difference"] < 1e-12) << quantity;
   }
   EXPECT_TRUE(beside["not_compared"].empty());
+}
+
+TEST_F(OtherHistories, WhatHasNoNumberAtTheTimesOfTheRunIsTold) {
+  const std::string file = write("late.csv", "time;kinetic;internal;total\n0;1;2,5;nan\n5e-5;2;3,5;nan\n1;2;3,5;7\n");
+  const Finished f = run("compare two_blocks --quiet --threads 1 --set time.end=5e-5 --with " + file);
+  EXPECT_EQ(f.status, 0) << f.text;
+  EXPECT_THAT(f.text, HasSubstr("not compared: internal, total"));
 }
 
 TEST_F(OtherHistories, EachVariantIsComparedAndWhatIsNotIsTold) {

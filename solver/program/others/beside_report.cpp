@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 
 #include <solver/program/text_table.hpp>
@@ -37,9 +38,17 @@ OrderedJson optional_json(const std::optional<double>& value) {
   return value ? OrderedJson(*value) : OrderedJson(nullptr);
 }
 
-/// Nodes that are compared as they are at the end count as compared.
+/// What means nothing here, and what has no number at a time that a run has, too. Nodes that are compared as they are
+/// at the end count as compared.
 std::vector<std::string> not_compared(const std::vector<VariantRuns>& runs, const OtherHistory& other) {
   std::vector<std::string> names = without_meaning(runs.front().curves, other);
+  std::set<std::string> known(names.begin(), names.end());
+  for (const VariantRuns& variant : runs) {
+    for (const CurveDifference& d : differences(variant, other)) known.insert(d.name);
+  }
+  for (const OtherCurve& curve : other.curves) {
+    if (!known.contains(curve.name)) names.push_back(curve.name);
+  }
   const std::vector<StateDifference> states = state_differences(runs.front().last, other);
   std::erase_if(names, [&](const std::string& name) {
     const auto of = numbered_quantity(name);

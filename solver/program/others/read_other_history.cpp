@@ -150,6 +150,42 @@ bool is_time(const std::string& name) {
   return plain == "time" || plain == "t" || plain == "x";  // X: of Abaqus' XY reports
 }
 
+/// Cells of a table that are no numbers, nor what programs write where there is none.
+class TextCells {
+ public:
+  explicit TextCells(const std::vector<std::string>& names) : columns_(names.size()) {}
+
+  void take(std::size_t column, const std::string& cell, bool is_number, std::size_t line) {
+    Column& c = columns_[column];
+    c.has_numbers = c.has_numbers || is_number;
+    if (!is_number && c.text.empty() && !is_none(cell)) c = {c.has_numbers, cell, line};
+  }
+  /// Throws InputError where a column has numbers and texts, such as "3,5": what they were to be is not known.
+  void check(const std::vector<std::string>& names, const std::string& path) const {
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const Column& c = columns_[k];
+      if (c.has_numbers && !c.text.empty())
+        throw InputError(fmt::format("{}:{}: column {}: expected a number, got '{}'", path, c.line, names[k], c.text));
+    }
+  }
+
+ private:
+  struct Column {
+    bool has_numbers = false;
+    std::string text{};    ///< the first one
+    std::size_t line = 0;  ///< of it
+  };
+  static bool is_none(const std::string& cell) {
+    std::string plain = cell;
+    for (char& c : plain) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    constexpr std::string_view names[] = {"", "nan", "inf", "infinity", "n/a", "na", "none", "null", "novalue"};
+    return std::ranges::count(names, plain) > 0 || cell.find_first_not_of("+-*") == std::string::npos ||
+           ((cell.front() == '+' || cell.front() == '-') && is_none(cell.substr(1)));
+  }
+
+  std::vector<Column> columns_;
+};
+
 void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
   history.kind = "table";
   const auto is_told = [](const std::string& line) {
@@ -168,6 +204,7 @@ void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
                     history.path, heading - lines.begin() + 1, trimmed(std::string_view(*heading).substr(0, 60))));
   }
   Rows rows(history);
+  TextCells texts(names);
   for (auto line = heading + 1; line != lines.end(); ++line) {
     if (!is_told(*line)) continue;
     const std::vector<std::string> cells = split_cells(*line, separator);
@@ -182,9 +219,12 @@ void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
     }
     rows.begin(*values[of_time]);
     for (std::size_t k = 0; k < names.size(); ++k) {
-      if (k != of_time) rows.set(names[k], values[k].value_or(not_there), meaning_of_column);
+      if (k == of_time) continue;
+      rows.set(names[k], values[k].value_or(not_there), meaning_of_column);
+      texts.take(k, cells[k], values[k].has_value(), line - lines.begin() + 1);
     }
   }
+  texts.check(names, history.path);
 }
 
 std::vector<std::string> lines_of(const std::string& bytes) {
