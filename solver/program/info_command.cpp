@@ -232,7 +232,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
     for (const ContactPair& pair : scene.contact_pairs) {
       fmt::print("  contact pair {}: friction {:.4g} at rest, {:.4g} sliding{}{}\n", pair.name, pair.static_friction,
                  pair.friction, pair.second.empty() ? ", of its first side alone" : "",
-                 span_text({pair.start, pair.end}));
+                 span_text({pair.start, pair.end}, units));
     }
   }
   if (!model.look.contact_because.empty()) fmt::print("  {}\n", model.look.contact_because);

@@ -58,7 +58,7 @@ TEST_F(InfoBoundary, GivesTheMotionOfARigidBodyAsWhatItIs) {
   EXPECT_THAT(rigid(along + "quantity = \"displacement\"\ntimes = [0.0, 1.0]\nfactors = [0.0, 1.0]\n"),
               HasSubstr("moves along (0, 0, 1) with displacement 3 m (2 points in time)"));
   EXPECT_THAT(rigid(about + "angular_speed = 2.0\nstart = 1e-5\n"),
-              HasSubstr("turns about (0, 0, 1) with velocity 2 rad/s (constant, from time 1e-05)"));
+              HasSubstr("turns about (0, 0, 1) with velocity 2 rad/s (constant, from time 1e-05 s)"));
   EXPECT_THAT(rigid(about + "angular_speed = 2.0\nquantity = \"displacement\"\n"),
               HasSubstr("turns about (0, 0, 1) with displacement 2 rad (constant)"));
 }
@@ -69,9 +69,10 @@ TEST_F(InfoBoundary, SaysWhatItActsOnAlongWhatAndFromWhenOn) {
   EXPECT_THAT(info_of("[[gravity]]\nacceleration = [0.0, 0.0, -9.81]\nbodies = [\"cube\"]\n"),
               HasSubstr("gravity: (0, 0, -9.81) m/s^2 of cube (constant)"));
   EXPECT_THAT(info_of("[[pressure]]\nbody = \"cube\"\npressure = 5.0\nstart = 1e-5\n"),
-              HasSubstr("5 Pa on 6 faces of body cube (constant, from time 1e-05)"));
+              HasSubstr("5 Pa on 6 faces of body cube (constant, from time 1e-05 s)"));
   EXPECT_THAT(info_of("[[load]]\nbody = \"cube\"\nforce = [1.0, 0.0, 0.0]\neach = true\n"),
-              HasSubstr("on each of 8 nodes of body cube (constant)"));
+              HasSubstr("load: (1, 0, 0) N on each of 8 nodes of body cube (constant)"));
+  EXPECT_THAT(info_of("[damping]\nmass = 2.0\n"), HasSubstr("damping: 2 1/s times mass and velocity"));
   EXPECT_THAT(
       info_of("[[initial_velocity]]\nbody = \"cube\"\nangular_velocity = [0.0, 0.0, 3.0]\ncomponents = [\"x\"]\n"),
       HasSubstr("initial velocity: (0, 0, 0) m/s along x of 8 nodes of body cube, turning with (0, 0, 3) 1/s "
@@ -88,7 +89,7 @@ TEST_F(InfoBoundary, SaysWhatItActsOnAlongWhatAndFromWhenOn) {
 
 TEST_F(InfoBoundary, SaysWhenAPairMayTouch) {
   EXPECT_THAT(info_of("[[contact.pair]]\nname = \"p\"\nfirst = \"cube\"\nstart = 1e-5\nend = 5e-5\n"),
-              HasSubstr("of its first side alone, from time 1e-05, up to time 5e-05\n"));
+              HasSubstr("of its first side alone, from time 1e-05 s, up to time 5e-05 s\n"));
 }
 
 }  // namespace

@@ -70,6 +70,8 @@ TEST_F(LookProgram, InfoSaysWhyContactIsLeftOut) {
   EXPECT_THAT(run("info " + scene(text)).text, HasSubstr("  contact: no two bodies can meet\n"));
   EXPECT_THAT(run("info " + scene(text) + " --set contact.method=none").text,
               HasSubstr("  contact: off in the scene (contact.method = none)\n"));
+  EXPECT_THAT(run("info " + scene(cube_scene)).text,
+              HasSubstr("  contact: there is one body, and contact.method is left out, or none\n"));
 }
 
 /// One probe and its body have columns of one name.

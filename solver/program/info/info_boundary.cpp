@@ -18,6 +18,8 @@ std::string vector_text(const Point& p, const std::string& unit) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}){}{}", p[0], p[1], p[2], unit.empty() ? "" : " ", unit);
 }
 
+std::string per_time(const Units& units) { return units.time.empty() ? "" : "1/" + units.time; }
+
 std::string directions_text(const std::vector<Point>& directions) {
   std::string text;
   for (const Point& d : directions) text += (text.empty() ? "" : ", ") + vector_text(d, "");
@@ -28,10 +30,10 @@ std::string table_text(const TimeTable& table) {
   return table.times.empty() ? "constant" : counted(table.times.size(), "point") + " in time";
 }
 
-std::string span_text(const TimeSpan& when) {
+std::string span_text(const TimeSpan& when, const Units& units) {
   std::string text;
-  if (when.start > 0) text += fmt::format(", from time {:.6g}", when.start);
-  if (!std::isinf(when.end)) text += fmt::format(", up to time {:.6g}", when.end);
+  if (when.start > 0) text += ", from time " + with_unit(when.start, units.time);
+  if (!std::isinf(when.end)) text += ", up to time " + with_unit(when.end, units.time);
   return text;
 }
 
@@ -78,8 +80,7 @@ std::string wall_text(const RigidWall& wall, const Units& units) {
 
 std::string spin_text(const InitialVelocity& v, const Units& units) {
   if (v.angular_velocity == Point{}) return "";
-  return fmt::format(", turning with {} about {}",
-                     vector_text(v.angular_velocity, units.time.empty() ? "" : "1/" + units.time),
+  return fmt::format(", turning with {} about {}", vector_text(v.angular_velocity, per_time(units)),
                      vector_text(v.centre, units.length));
 }
 
@@ -89,11 +90,6 @@ std::string components_text(const InitialVelocity& v) {
     if (v.components[k]) text += (text.empty() ? "" : ", ") + std::string(1, "xyz"[k]);
   }
   return text.size() == std::string("x, y, z").size() ? "" : " along " + text;
-}
-
-std::string force_unit(const Units& units) {
-  if (units.stress.empty() || units.length.empty()) return "";
-  return fmt::format("{} {}^2", units.stress, units.length);
 }
 
 std::string acceleration_unit(const Units& units) {
@@ -114,31 +110,30 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
     fmt::print("    symmetry: {}\n", nodes_text(model.mesh, nodes_of(plane)));
   for (const FixedConstraint& fixed : scene.fixed_constraints)
     fmt::print("    fixed: {} along {}{}\n", nodes_text(model.mesh, fixed.nodes), directions_of(fixed),
-               span_text(fixed.when));
+               span_text(fixed.when, units));
   for (const RigidWall& wall : scene.rigid_walls) {
     const NodeSelection nodes = nodes_of(wall);
     fmt::print("  rigid wall {}: through {}, free side along {}{}{}{}{}{}\n", wall.name,
                vector_text(wall.plane.point, units.length), vector_text(wall.plane.normal, ""),
                wall.friction > 0 ? fmt::format(", friction {:.4g}", wall.friction) : "",
-               wall.sliding ? "" : ", without sliding", wall_text(wall, units), span_text(wall.when),
+               wall.sliding ? "" : ", without sliding", wall_text(wall, units), span_text(wall.when, units),
                nodes.all() && nodes.without.empty() ? "" : ", for " + nodes_text(model.mesh, nodes));
   }
   for (const PrescribedVelocity& p : scene.prescribed_velocities) {
     fmt::print("  prescribed {}{} of {} ({}{})\n",
                motion_text(p.quantity, vector_text(p.velocity, ""), units.length, units),
                p.direction ? " along its direction" : "", nodes_text(model.mesh, p.nodes), table_text(p.table),
-               span_text(p.when));
+               span_text(p.when, units));
   }
   for (const NodalLoad& load : scene.loads) {
-    fmt::print("  load: {} on {}{} ({})\n", vector_text(load.force, force_unit(units)), load.each ? "each of " : "",
+    fmt::print("  load: {} on {}{} ({})\n", vector_text(load.force, units.force), load.each ? "each of " : "",
                nodes_text(model.mesh, load.nodes), table_text(load.table));
   }
   for (const Pressure& pressure : scene.pressures) {
-    fmt::print("  pressure {}: {:.6g}{}{} on {} {} ({}{})\n", pressure.name, pressure.pressure,
-               units.stress.empty() ? "" : " ", units.stress,
+    fmt::print("  pressure {}: {} on {} {} ({}{})\n", pressure.name, with_unit(pressure.pressure, units.stress),
                counted(pressed_faces(model.mesh, scene.constraints, pressure).size(), "face"),
                pressure.corners.empty() ? describe(pressure.faces) : "that are listed", table_text(pressure.table),
-               span_text({pressure.start, INFINITY}));
+               span_text({pressure.start, INFINITY}, units));
   }
   for (const Gravity& gravity : scene.gravities) {
     fmt::print("  gravity: {}{} ({})\n", vector_text(gravity.acceleration, acceleration_unit(units)),
@@ -149,7 +144,8 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
     fmt::print("  initial velocity: {}{} of {}{}\n", vector_text(v.velocity, units.velocity), components_text(v),
                nodes_text(model.mesh, v.nodes), spin_text(v, units));
   }
-  if (scene.damping.mass > 0) fmt::print("  damping: {:.6g} times mass and velocity\n", scene.damping.mass);
+  if (scene.damping.mass > 0)
+    fmt::print("  damping: {} times mass and velocity\n", with_unit(scene.damping.mass, per_time(units)));
 }
 
 template void print_boundary_conditions(const Model<double>&, const Units&);

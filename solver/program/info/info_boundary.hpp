@@ -10,6 +10,9 @@ namespace pinball {
 /// "(1, 2, 3) m"
 std::string vector_text(const Point& p, const std::string& unit);
 
+/// "1/s": the unit of a rate; empty without units.
+std::string per_time(const Units& units);
+
 /// "(1, 0, 0), (0, 1, 0)"
 std::string directions_text(const std::vector<Point>& directions);
 
@@ -18,7 +21,7 @@ std::string directions_text(const std::vector<Point>& directions);
 std::string motion_text(MotionQuantity quantity, const std::string& amount, const std::string& way, const Units& units);
 
 /// ", from time 1, up to time 2": nothing where it acts from the start to the end.
-std::string span_text(const TimeSpan& when);
+std::string span_text(const TimeSpan& when, const Units& units);
 std::string table_text(const TimeTable& table);
 
 /// Prints a line for each kind of boundary condition that the model has ("pinball info").

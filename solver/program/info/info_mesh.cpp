@@ -53,7 +53,7 @@ void print_shape(const Mesh& mesh) {
 
 std::string quality_text(const MeshQuality& q, const std::string& length) {
   return fmt::format(
-      "edges {:.4g} to {}, largest aspect ratio {:.3g}, scaled Jacobian {:.3g} at worst, {:.3g} on average", q.min_edge,
+      "edges {:.6g} to {}, largest aspect ratio {:.3g}, scaled Jacobian {:.3g} at worst, {:.3g} on average", q.min_edge,
       with_unit(q.max_edge, length), q.max_aspect_ratio, q.min_scaled_jacobian, q.mean_scaled_jacobian);
 }
 

@@ -12,8 +12,6 @@ namespace pinball {
 
 namespace {
 
-std::string per_time(const Units& units) { return units.time.empty() ? "" : "1/" + units.time; }
-
 void print_joints(const Scene& scene, const Units& units) {
   for (const Joint& joint : scene.joints) {
     fmt::print("  joint {} ({}) of {} and {} at {}{}{}\n", joint.name, schema::name_of(joint.kind), joint.bodies[0],
@@ -44,11 +42,11 @@ void print_rigid_bodies(const Scene& scene, const std::vector<RigidBodyResult>& 
       if (motion.direction)
         fmt::print("    moves along {} with {} ({}{})\n", vector_text(*motion.direction, ""),
                    motion_text(motion.quantity, fmt::format("{:.6g}", motion.speed), units.length, units),
-                   table_text(motion.table), span_text(motion.when));
+                   table_text(motion.table), span_text(motion.when, units));
       if (motion.axis)
         fmt::print("    turns about {} with {} ({}{})\n", vector_text(*motion.axis, ""),
                    motion_text(motion.quantity, fmt::format("{:.6g}", motion.angular_speed), "rad", units),
-                   table_text(motion.table), span_text(motion.when));
+                   table_text(motion.table), span_text(motion.when, units));
     }
   }
   print_joints(scene, units);

@@ -113,8 +113,10 @@ void print_contact_parts(const Solver<S>& solver, const Units& units) {
   const Model<S>& model = solver.model();
   const ContactSettings& contact = model.scene.contact;
   if (solver.contact() == nullptr) {
-    const bool is_left_out = !model.look.contact_because.empty();
-    skip("contact", is_left_out ? "no two bodies can meet" : "off in the scene (contact.method = none)");
+    const bool is_left_out = !model.look.contact_because.empty(), is_one = model.scene.bodies.size() == 1;
+    skip("contact", is_left_out ? "no two bodies can meet"
+                    : is_one    ? "there is one body, and contact.method is left out, or none"
+                                : "off in the scene (contact.method = none)");
     return;
   }
   const std::int64_t inner = model.element_count() - solver.contact()->surface_elements();
