@@ -20,19 +20,20 @@ py::object get(const DataType& type, const DataField& field, py::handle object) 
 }
 
 void set(const DataType& type, const DataField& field, py::handle object, py::handle value) {
-  if (set_member(*field.type, field.member_of(type.data_of(object)), value)) return;
+  if (set_member(*field.type, field.member_of(type.data_of(object)), value, object)) return;
   throw py::type_error(text_of_type(type.type) + "." + field.name + ": " + wrong_type(*field.type, value));
 }
 
 }  // namespace
 
-bool set_member(const MemberType& type, void* member, py::handle value) {
+bool set_member(const MemberType& type, void* member, py::handle value, py::handle owner) {
   void* const made = type.make();
   const py::capsule keeper(made, type.drop);
   if (!type.set(made, value)) return false;
   const LiveObjects live(member, type.size);
   if (live.have(value)) return true;  // `scene.bodies += others` ends with scene.bodies = scene.bodies
   type.swap(member, made);            // what the member was is there now
+  if (type.nests_objects && owner) py::detail::keep_alive_impl(owner, keeper);
   live.move([&](std::size_t offset) { return LiveObjects::Place{static_cast<char*>(made) + offset, keeper}; });
   return true;
 }

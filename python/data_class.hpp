@@ -3,9 +3,11 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <typeinfo>
 #include <utility>
 #include <vector>
@@ -25,7 +27,13 @@ struct MemberType {
   void* (*make)();  ///< on the heap
   void (*swap)(void* one, void* other);
   void (*drop)(void* made);
+  bool nests_objects;  ///< what it shows has objects of memory that is not the member's own: elements of vectors
 };
+
+template <class Member>
+inline constexpr bool nests_objects = false;
+template <class Element, std::size_t size>
+inline constexpr bool nests_objects<std::array<std::vector<Element>, size>> = std::is_class_v<Element>;
 
 /// A field of a class of plain data.
 struct DataField {
@@ -43,7 +51,8 @@ struct DataType {
 
 /// Gives a member a value; false: it is none of the type. Python objects that refer to what the member was, or to parts
 /// of it, do so further on, as to any object whose place another one took.
-bool set_member(const MemberType& type, void* member, py::handle value);
+/// owner: the object that the member is of; null: a list's element.
+bool set_member(const MemberType& type, void* member, py::handle value, py::handle owner = {});
 /// "Material", of a class.
 std::string text_of_type(py::handle type);
 /// "float expected, str given"
@@ -82,7 +91,8 @@ const MemberType& member_type() {
       sizeof(Member),
       []() -> void* { return new Member(); },
       [](void* one, void* other) { std::swap(*static_cast<Member*>(one), *static_cast<Member*>(other)); },
-      [](void* made) { delete static_cast<Member*>(made); }};
+      [](void* made) { delete static_cast<Member*>(made); },
+      nests_objects<Member>};
   return type;
 }
 

@@ -116,6 +116,17 @@ class Lists(unittest.TestCase):
         contact.friction = 0.1
         self.assertEqual(scene.contact.friction, 0.3)
 
+    def test_that_are_nested_keep_what_another_took_the_place_of(self):
+        """Sections of a block are elements of vectors: the old ones were freed while Python had them."""
+        sections = [[], [], [pinball.BlockSection(length=5.0, elements=7)]]
+        mesh = pinball.BlockMesh(size=[1, 1, 5], elements=[1, 1, 7], sections=sections)
+        old = mesh.sections[2][0]
+        others = []
+        for i in range(200):
+            mesh.sections = [[], [], [pinball.BlockSection(length=2.0, elements=3)] * (1 + i % 4)]
+            others.append(pinball.BlockMesh(sections=[[], [], [pinball.BlockSection(length=9.0, elements=i + 1)]]))
+        self.assertEqual((old.length, old.elements, mesh.sections[2][0].length), (5.0, 7, 2.0))
+
     def test_keep_what_is_taken_out(self):
         bodies = pinball.Scene(bodies=[pinball.Body(name=f"a body with a long name {i}", mesh=pinball.SphereMesh(radius=i)) for i in range(9)]).bodies
         last, mesh = bodies[8], bodies[4].mesh
