@@ -118,6 +118,24 @@ TEST(SplitHexahedra, SetsPartsAndNumbersGoWithIt) {
   }
 }
 
+/// A segment is found by its nodes, whichever way they go: across the face new nodes were made that no element has, and
+/// none of the four was a face.
+TEST(SplitHexahedra, AFaceNamedAcrossItsEdgesIsSplitAlongThem) {
+  for (const std::array<std::int32_t, 4>& named :
+       {std::array{4, 5, 6, 7}, std::array{4, 7, 5, 6}, std::array{5, 4, 6, 7}}) {
+    MeshFile file = block_file({1, 1, 1});  // the top of which is 4, 5, 7, 6
+    file.face_sets = {{1, "top", {named}}};
+    split_hexahedra(file);
+    EXPECT_EQ(file.mesh.nodes.size(), 27);
+    ASSERT_EQ(file.face_sets[0].faces.size(), 4);
+    for (const auto& face : file.face_sets[0].faces) {
+      EXPECT_TRUE(std::any_of(file.mesh.hexahedra.begin(), file.mesh.hexahedra.end(), [&face](const auto& h) {
+        return std::is_permutation(h.begin() + 4, h.end(), face.begin());
+      }));
+    }
+  }
+}
+
 TEST(SplitHexahedra, ASetThatHasNoWholeEdgeGetsNoNewNode) {
   MeshFile file = block_file({1, 1, 1});
   file.node_sets = {{1, "diagonal", {0, 7}}, {2, "all", {0, 1, 2, 3, 4, 5, 6, 7}}};

@@ -125,14 +125,27 @@ void split_members(MeshSet& set) {
   set.members = std::move(members);
 }
 
+/// The corners of a face along its edges: what names a face may have them across it, as readers take them.
+std::array<std::int32_t, 4> along_its_edges(const std::array<std::int32_t, 4>& face, const MiddleNodes& middles) {
+  const std::array<std::array<std::int32_t, 4>, 3> ways{
+      {face, {face[0], face[2], face[1], face[3]}, {face[0], face[1], face[3], face[2]}}};
+  for (const std::array<std::int32_t, 4>& way : ways) {
+    bool all = true;
+    for (std::size_t c = 0; c < 4; ++c) all = all && middles.has({way[c], way[(c + 1) % 4]});
+    if (all) return way;
+  }
+  return face;
+}
+
 /// A face that is none of a hexahedron of the mesh stays as it is.
 void split_faces(FaceSet& set, MiddleNodes& middles) {
   std::vector<std::array<std::int32_t, 4>> faces;
-  for (const std::array<std::int32_t, 4>& face : set.faces) {
-    if (!middles.has({face.begin(), face.end()})) {
-      faces.push_back(face);
+  for (const std::array<std::int32_t, 4>& named : set.faces) {
+    if (!middles.has({named.begin(), named.end()})) {
+      faces.push_back(named);
       continue;
     }
+    const std::array<std::int32_t, 4> face = along_its_edges(named, middles);
     const std::int32_t centre = middles.of({face.begin(), face.end()});
     for (std::size_t c = 0; c < 4; ++c) {
       const std::int32_t next = middles.of({face[c], face[(c + 1) % 4]}),
