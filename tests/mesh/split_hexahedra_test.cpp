@@ -4,6 +4,7 @@
 #include <set>
 
 #include <solver/mesh/file/split_hexahedra.hpp>
+#include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
 #include <tests/support/error_of.hpp>
@@ -134,6 +135,21 @@ TEST(SplitHexahedra, AFaceNamedAcrossItsEdgesIsSplitAlongThem) {
       }));
     }
   }
+}
+
+TEST(EdgeMiddles, OfAFaceThatIsNamedAcrossItsEdgesAreThoseOfTheFace) {
+  EdgeMiddles middles;
+  for (const std::array<std::int32_t, 3>& line :
+       {std::array{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {0, 3, 7}, {0, 2, 8}, {1, 3, 8}})
+    middles.add(line[0], line[1], line[2]);
+  const auto pieces = [&middles](const std::array<std::int32_t, 4>& face) {
+    std::set<std::set<std::int32_t>> all;
+    for (const auto& piece : middles.pieces_of(face)) all.insert({piece.begin(), piece.end()});
+    return all;
+  };
+  const std::set<std::set<std::int32_t>> four{{0, 4, 7, 8}, {1, 4, 5, 8}, {2, 5, 6, 8}, {3, 6, 7, 8}};
+  for (const std::array<std::int32_t, 4>& face : {std::array{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 1, 3, 2}, {3, 1, 0, 2}})
+    EXPECT_EQ(pieces(face), four);
 }
 
 TEST(SplitHexahedra, ASetThatHasNoWholeEdgeGetsNoNewNode) {

@@ -150,6 +150,10 @@ std::vector<std::array<std::int32_t, 4>> EdgeMiddles::pieces_of(const std::array
   for (const std::int32_t node : face) {
     if (std::ranges::find(c, node) == c.end()) c.push_back(node);
   }
+  if (c.size() == 4 && of(c[0], c[2]) != of(c[1], c[3])) {  // named across its edges: diagonals have one middle
+    if (of(c[0], c[1]) == of(c[2], c[3])) std::swap(c[1], c[2]);
+    if (of(c[0], c[3]) == of(c[1], c[2])) std::swap(c[2], c[3]);
+  }
   std::array<std::int32_t, 4> m{-1, -1, -1, -1};
   for (std::size_t i = 0; i < c.size() && c.size() >= 3; ++i) m[i] = of(c[i], c[(i + 1) % c.size()]);
   const std::int32_t centre = c.size() == 4 ? of(c[0], c[2]) : 0;
