@@ -20,6 +20,7 @@ void bind_boundary(py::module_& module) {
   bind_table<NodalLoad>(module, "Load", "[[load]]");
   bind_table<Pressure>(module, "Pressure", "[[pressure]]");
   bind_table<Gravity>(module, "Gravity", "[[gravity]]");
+  bind_table<PointMass>(module, "PointMass", "[[point_mass]]");
   bind_table<InitialVelocity>(module, "InitialVelocity", "[[initial_velocity]]");
   bind_table<Probe>(module, "Probe", "[[probe]]: a node or an element, by a point at the start or by its number");
   bind_table<RigidBody>(module, "RigidBody", "[[rigid_body]]");
@@ -37,6 +38,7 @@ void bind_boundary(py::module_& module) {
   bind_list<NodalLoad>(module, "Loads");
   bind_list<Pressure>(module, "Pressures");
   bind_list<Gravity>(module, "Gravities");
+  bind_list<PointMass>(module, "PointMasses");
   bind_list<InitialVelocity>(module, "InitialVelocities");
   bind_list<Probe>(module, "Probes");
 }

@@ -37,7 +37,7 @@ struct BodyResult {
   std::string name;
   std::int64_t elements = 0;
   std::int64_t eroded_elements = 0;
-  double mass_initial = 0.0;        ///< mass of all its elements [mass]
+  double mass_initial = 0.0;        ///< mass of all its elements, without [[point_mass]] [mass]
   double mass_remaining = 0.0;      ///< mass of the elements that are not eroded [mass]
   double mass_added = 0.0;          ///< what of mass_initial no material has (time.smallest_step) [mass]
   Point velocity{};                 ///< of the remaining elements, mass-weighted [length/time]
@@ -245,6 +245,7 @@ struct RunSummary {
   /// Kinetic and internal energy below zero, of energy_in_motion.
   WatchedShare kinetic_below_zero, internal_below_zero;
   InsideOutCount inside_out;
+  double point_mass = 0.0;       ///< at nodes, beside the masses of bodies (point_mass) [mass]
   double mass_added = 0.0;       ///< to all bodies for time.smallest_step [mass]
   std::string large_added_mass;  ///< where it is more than is sound, as a sentence; empty: nowhere
   Point momentum_initial{}, momentum_final{};

@@ -173,6 +173,7 @@ struct Scene {
   std::vector<NodalLoad> loads;
   std::vector<Pressure> pressures;
   std::vector<Gravity> gravities;
+  std::vector<PointMass> point_masses;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<Probe> probes;
   OutputSettings output;

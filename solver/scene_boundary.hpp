@@ -139,6 +139,13 @@ struct Gravity {
   std::string name{};                 ///< name: as of a constraint
 };
 
+/// [[point_mass]]: mass at nodes beside that of their elements.
+struct PointMass {
+  NodeSelection nodes{};
+  double mass = 0;    ///< mass: of the nodes together, shared in proportion to the masses of their elements [mass]
+  bool each = false;  ///< each: the mass is that of each of the nodes
+};
+
 /// [[initial_velocity]]: of some nodes, in place of that of their body.
 struct InitialVelocity {
   NodeSelection nodes{};

@@ -1001,6 +1001,16 @@ class Gravity:
     table: TimeTable
     """factors"""
 
+class PointMass:
+    """[[point_mass]]"""
+    def __init__(self, *, mass: float = ..., each: bool = ..., nodes: NodeSelection = ...) -> None: ...
+    mass: float
+    """of all the nodes together, shared in proportion to the masses of their elements [mass]"""
+    each: bool
+    """true: of each of the nodes"""
+    nodes: NodeSelection
+    """which nodes; of a node that several tables have the masses add up"""
+
 class InitialVelocity:
     """[[initial_velocity]]"""
     def __init__(self, *, velocity: Sequence[float] = ..., angular_velocity: Sequence[float] = ..., centre: Sequence[float] = ..., components: Sequence[bool] = ..., nodes: NodeSelection = ...) -> None: ...
@@ -1270,6 +1280,21 @@ class Gravities(MutableSequence[Gravity]):
     def __delitem__(self, place: Union[int, slice]) -> None: ...
     def insert(self, index: int, value: Gravity) -> None: ...
 
+class PointMasses(MutableSequence[PointMass]):
+    """A list of PointMass."""
+    def __init__(self, items: Iterable[PointMass] = ...) -> None: ...
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, place: int) -> PointMass: ...
+    @overload
+    def __getitem__(self, place: slice) -> list[PointMass]: ...
+    @overload
+    def __setitem__(self, place: int, value: PointMass) -> None: ...
+    @overload
+    def __setitem__(self, place: slice, value: Iterable[PointMass]) -> None: ...
+    def __delitem__(self, place: Union[int, slice]) -> None: ...
+    def insert(self, index: int, value: PointMass) -> None: ...
+
 class InitialVelocities(MutableSequence[InitialVelocity]):
     """A list of InitialVelocity."""
     def __init__(self, items: Iterable[InitialVelocity] = ...) -> None: ...
@@ -1324,7 +1349,7 @@ class SceneSource:
 
 class Scene:
     """What is to be run: the fields are those of a scene file."""
-    def __init__(self, *, name: str = ..., path: str = ..., title: str = ..., units: str = ..., precision: Union[Precision, str] = ..., device: Union[Device, str] = ..., refine: int = ..., of_deck: bool = ..., time: TimeSettings = ..., element: ElementSettings = ..., contact: ContactSettings = ..., contact_pairs: Union[ContactPairs, list[ContactPair]] = ..., tied_contacts: Union[TiedContacts, list[TiedContact]] = ..., skip: SkipSettings = ..., guard: GuardSettings = ..., output: OutputSettings = ..., materials: Union[Materials, list[Material]] = ..., bodies: Union[Bodies, list[Body]] = ..., rigid_bodies: Union[RigidBodies, list[RigidBody]] = ..., attached_nodes: Union[AttachedNodesList, list[AttachedNodes]] = ..., rigid_motions: Union[RigidMotions, list[RigidMotion]] = ..., joints: Union[Joints, list[Joint]] = ..., symmetry_planes: Union[SymmetryPlanes, list[SymmetryPlane]] = ..., fixed: Union[FixedConstraints, list[Fixed]] = ..., rigid_walls: Union[RigidWalls, list[RigidWall]] = ..., prescribed_velocities: Union[PrescribedVelocities, list[PrescribedVelocity]] = ..., loads: Union[Loads, list[Load]] = ..., pressures: Union[Pressures, list[Pressure]] = ..., gravities: Union[Gravities, list[Gravity]] = ..., initial_velocities: Union[InitialVelocities, list[InitialVelocity]] = ..., damping: float = ..., probes: Union[Probes, list[Probe]] = ..., source: Optional[SceneSource] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., path: str = ..., title: str = ..., units: str = ..., precision: Union[Precision, str] = ..., device: Union[Device, str] = ..., refine: int = ..., of_deck: bool = ..., time: TimeSettings = ..., element: ElementSettings = ..., contact: ContactSettings = ..., contact_pairs: Union[ContactPairs, list[ContactPair]] = ..., tied_contacts: Union[TiedContacts, list[TiedContact]] = ..., skip: SkipSettings = ..., guard: GuardSettings = ..., output: OutputSettings = ..., materials: Union[Materials, list[Material]] = ..., bodies: Union[Bodies, list[Body]] = ..., rigid_bodies: Union[RigidBodies, list[RigidBody]] = ..., attached_nodes: Union[AttachedNodesList, list[AttachedNodes]] = ..., rigid_motions: Union[RigidMotions, list[RigidMotion]] = ..., joints: Union[Joints, list[Joint]] = ..., symmetry_planes: Union[SymmetryPlanes, list[SymmetryPlane]] = ..., fixed: Union[FixedConstraints, list[Fixed]] = ..., rigid_walls: Union[RigidWalls, list[RigidWall]] = ..., prescribed_velocities: Union[PrescribedVelocities, list[PrescribedVelocity]] = ..., loads: Union[Loads, list[Load]] = ..., pressures: Union[Pressures, list[Pressure]] = ..., gravities: Union[Gravities, list[Gravity]] = ..., point_masses: Union[PointMasses, list[PointMass]] = ..., initial_velocities: Union[InitialVelocities, list[InitialVelocity]] = ..., damping: float = ..., probes: Union[Probes, list[Probe]] = ..., source: Optional[SceneSource] = ...) -> None: ...
     name: str
     """of the file, without folder and ending"""
     path: str
@@ -1383,6 +1408,8 @@ class Scene:
     """on faces of elements"""
     gravities: Field[Gravities, Union[Gravities, list[Gravity]]]
     """accelerations of bodies"""
+    point_masses: Field[PointMasses, Union[PointMasses, list[PointMass]]]
+    """at nodes, beside those of elements"""
     initial_velocities: Field[InitialVelocities, Union[InitialVelocities, list[InitialVelocity]]]
     """of nodes, in place of their body's"""
     damping: float

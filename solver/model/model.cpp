@@ -30,6 +30,7 @@
 #include "material/material_laws.hpp"
 #include "model_parts.hpp"
 #include "ordering.hpp"
+#include "point_masses.hpp"
 #include "rigid/rigid_nodes.hpp"
 #include "step_levels.hpp"
 
@@ -291,7 +292,8 @@ std::size_t Model<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return nodes.bytes() + elements.bytes() + of(mesh.nodes) + of(mesh.hexahedra) + of(mesh.body) +
          of(mesh.body_of_node) + of(constraints) + of(prescribed) + of(element_of_slot) + of(slot_of_element) +
-         of(node_of_scene_node) + of(element_mass) + of(added_mass) + of(node_mass) + of(added_node_mass);
+         of(node_of_scene_node) + of(element_mass) + of(added_mass) + of(node_mass) + of(added_node_mass) +
+         of(point_mass);
 }
 
 template <class S>
@@ -321,6 +323,7 @@ Model<S> build_model(const Scene& given) {
   model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));
   fill_nodes(model);
   fill_elements(model, features, mass_factor, onset);
+  add_point_masses(model);
   invert_node_masses(model);
   number_ties(model);
   number_rigid_nodes(model.rigid, model.node_of_scene_node);

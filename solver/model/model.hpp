@@ -141,14 +141,18 @@ struct Model {
   std::vector<double> element_mass;              ///< initial, with what is added, per element of the scene [mass]
   std::vector<double> added_mass;                ///< the part of it that no material has; empty: none [mass]
   std::vector<double> node_mass;                 ///< per node of the store [mass]
-  std::vector<double> added_node_mass;           ///< the part of it that no material has; empty: none [mass]
+  std::vector<double> added_node_mass;           ///< the part of it that time.smallest_step adds; empty: none [mass]
+  std::vector<double> point_mass;                ///< the part of it that no element has; empty: none [mass]
 
   std::int64_t element_count() const { return mesh.element_count(); }
   double material_mass(std::size_t element) const {
     return added_mass.empty() ? element_mass[element] : element_mass[element] - added_mass[element];
   }
   double material_mass_of_node(std::size_t node) const {
-    return added_node_mass.empty() ? node_mass[node] : node_mass[node] - added_node_mass[node];
+    double mass = node_mass[node];
+    if (!point_mass.empty()) mass -= point_mass[node];
+    if (!added_node_mass.empty()) mass -= added_node_mass[node];
+    return mass;
   }
   std::int32_t tile_count() const { return tile_part.size(); }
   /// Slots of a tile, its padding among them.

@@ -224,6 +224,7 @@ std::string summary_json(const RunSummary& s) {
       {"energy", energy_json(s)},
       {"momentum", {{"initial", s.momentum_initial}, {"final", s.momentum_final}}},
       {"bodies", bodies},
+      {"point_mass", s.point_mass},
       {"mass_scaling", {{"added", s.mass_added}, {"percent", added_percent(s)}}},
       {"rigid_bodies", rigid_bodies},
       {"joints", joints},

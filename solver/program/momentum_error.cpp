@@ -52,7 +52,7 @@ std::vector<Point> directions_acted_on(const Scene& scene) {
 
 std::optional<double> momentum_error(const Scene& scene, const RunSummary& summary) {
   const std::vector<Point> acted_on = directions_acted_on(scene);
-  double mass = 0;
+  double mass = summary.point_mass;
   for (const BodyResult& body : summary.bodies) mass += body.mass_initial;
   const double largest = std::sqrt(2 * mass * summary.initial_total);
   if (acted_on.size() == 3 || !(largest > 0)) return std::nullopt;

@@ -277,6 +277,10 @@ void check_loads(Scene& scene, const BodyNames& names) {
     table.keys(load);
     table.require_none(problem_of(load.table));
   });
+  for_each(scene.point_masses, "point_mass", [&](const Table& table, PointMass& point, const auto& where) {
+    names.check(table, point.nodes, where);
+    table.keys(point);
+  });
   Names pressures;
   for_each(scene.pressures, "pressure", [&](const Table& table, Pressure& pressure, const auto& where) {
     table.require_none(name_problem(pressure.name));

@@ -103,6 +103,7 @@ void complete_scene(Scene& scene) {
     make_unit(scene.pressures[p].faces);
     if (scene.pressures[p].name.empty()) scene.pressures[p].name = fmt::format("pressure_{}", p);
   }
+  for (PointMass& point : scene.point_masses) make_unit(point.nodes);
   for (InitialVelocity& given : scene.initial_velocities) make_unit(given.nodes);
   for (Probe& probe : scene.probes) {
     if (probe.quantities.empty()) probe.quantities = probe_quantities(probe.kind);

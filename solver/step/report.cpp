@@ -210,6 +210,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.momentum_final = solver.momentum();
   summary.bodies = body_results(solver);
   for (const double added : model.added_mass) summary.mass_added += added;
+  for (const double mass : model.point_mass) summary.point_mass += mass;
   summary.rigid_bodies = solver.rigid().results();
   summary.joints = solver.rigid().joint_results();
   summary.walls = solver.boundary().walls();

@@ -56,14 +56,15 @@ std::vector<std::string> keys(const Json& object) {
 TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   const Json json = Json::parse(summary_json(example()));
   using testing::ElementsAre;
-  EXPECT_THAT(keys(json), ElementsAre("scene", "title", "status", "error", "started", "units", "unit_names", "version",
-                                      "precision", "device", "threads", "simd_width", "elements", "nodes", "steps",
-                                      "end_time", "dt", "wall_seconds", "phase_seconds", "element_steps",
-                                      "element_steps_skipped", "element_steps_eroded", "element_steps_resting",
-                                      "element_steps_subcycled", "element_steps_rigid", "element_steps_per_second",
-                                      "energy", "momentum", "bodies", "mass_scaling", "rigid_bodies", "joints",
-                                      "rigid_walls", "pressures", "contact", "inside_out", "skipped", "skipped_seconds",
-                                      "parallel", "state_hash", "bytes_per_element", "probes", "warnings", "notes"));
+  EXPECT_THAT(
+      keys(json),
+      ElementsAre("scene", "title", "status", "error", "started", "units", "unit_names", "version", "precision",
+                  "device", "threads", "simd_width", "elements", "nodes", "steps", "end_time", "dt", "wall_seconds",
+                  "phase_seconds", "element_steps", "element_steps_skipped", "element_steps_eroded",
+                  "element_steps_resting", "element_steps_subcycled", "element_steps_rigid", "element_steps_per_second",
+                  "energy", "momentum", "bodies", "point_mass", "mass_scaling", "rigid_bodies", "joints", "rigid_walls",
+                  "pressures", "contact", "inside_out", "skipped", "skipped_seconds", "parallel", "state_hash",
+                  "bytes_per_element", "probes", "warnings", "notes"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(
       keys(json["energy"]),
@@ -229,6 +230,7 @@ void expect_own_numbers(double sign) {
     body.max_plastic_strain = n("/bodies/" + b + "/max_plastic_strain");
     material_mass += body.mass_initial;
   }
+  s.point_mass = n("/point_mass");
   s.mass_added = n("/mass_scaling/added");
   n.also("/mass_scaling/percent", 100 * s.mass_added / (material_mass - s.mass_added));
   RigidBodyResult& rigid = s.rigid_bodies.emplace_back();

@@ -47,6 +47,20 @@ TEST(SameBits, OfLoadsConstraintsPressuresGravityDampingAndWalls) {
   for (const ForceResult& named : alone.boundary().forces(alone.model())) EXPECT_NE(norm(named.force), 0) << named.name;
 }
 
+TEST(SameBits, OfPointMasses) {
+  Scene scene = held_and_driven();
+  PointMass point;
+  point.nodes.plane = Plane{{0.9, 0, 0}, {1, 0, 0}};
+  point.mass = 300;
+  scene.point_masses = {point};
+  point.nodes = {};
+  point.nodes.nearest = Point{0, 0, 0.7};
+  scene.point_masses.push_back(point);
+  scene.gravities = {{{0, 0, -1e4}, {}, {"a"}}};
+  scene.output.body_energies = true;
+  expect_same<double>(scene);
+}
+
 TEST(SameBits, WhereMostTilesRest) { EXPECT_GT(expect_same<double>(resting_bar()).resting, 0); }
 
 TEST(SameBits, WhereElementsNearlyTurnOver) { expect_same<double>(pressed_block(1)); }

@@ -117,6 +117,7 @@ inline std::map<std::string, std::string> key_effects_scenes() {
       {"loads", acted_on("[[load]]\nforce = [1, 0, 0]\nbody = \"a\"\n[[pressure]]\npressure = 0.4\nbody = \"a\"\n"
                          "plane = { normal = [0, 0, 1] }\ntimes = [0, 1]\nfactors = [0, 1]\n"
                          "[[gravity]]\nacceleration = [0, 0, -9.8]\nname = \"weight\"\n")},
+      {"point masses", acted_on("[[point_mass]]\nmass = 3.0\nbody = \"a\"\nplane = { normal = [0, 0, 1] }\n")},
       {"initial velocities", acted_on("[[initial_velocity]]\nvelocity = [0.1, 0, 0]\nbody = \"a\"\nplane = { normal = "
                                       "[0, 0, 1] }\n[[initial_velocity]]\nangular_velocity = [0.1, 0, 0]\nbody = "
                                       "\"b\"\n")},

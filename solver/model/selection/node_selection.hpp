@@ -53,6 +53,7 @@ void for_each_selection_of_nodes(const Scene& scene, const Look& look) {
   for (const RigidWall& wall : scene.rigid_walls) look(nodes_of(wall));
   for (const PrescribedVelocity& given : scene.prescribed_velocities) look(given.nodes);
   for (const NodalLoad& load : scene.loads) look(load.nodes);
+  for (const PointMass& point : scene.point_masses) look(point.nodes);
   for (const InitialVelocity& given : scene.initial_velocities) look(given.nodes);
 }
 

@@ -11,7 +11,7 @@ const fill = (id, ...children) => place(id).append(...children);
 const drop = (id) => { place(id).hidden = true; };
 /// What round-off leaves of what is zero: velocities of 1e-19 m/s look like a motion where an axis follows them.
 const fastest = () => {
-  const mass = summary.bodies.reduce((m, b) => m + b.mass_initial, 0);
+  const mass = summary.bodies.reduce((m, b) => m + b.mass_initial, summary.point_mass ?? 0);
   return mass > 0 ? Math.sqrt(2 * largestOf(column('kinetic') ?? []) / mass) : 0;
 };
 const isRoundOff = (list, scale) => list.length > 0 && list.every((s) => s.values.every((v) => v !== null && Math.abs(v) <= 1e-10 * scale));
@@ -99,7 +99,7 @@ function bodies() {
 function momentum() {
   const {initial, final} = summary.momentum;
   const curves = series(['x', 'y', 'z'].map((k) => `momentum_${k}`), (c) => c.slice(-1));
-  const mass = summary.bodies.reduce((m, b) => m + b.mass_initial, 0);
+  const mass = summary.bodies.reduce((m, b) => m + b.mass_initial, summary.point_mass ?? 0);
   fill('momentum', isRoundOff(curves, mass * fastest()) ? roundOff('Momentum')
     : make('div', {class: 'panels'}, chart({title: 'Momentum', unit: units.momentum, ...overTime, series: curves})),
     table({caption: named('Momentum of all', units.momentum), head: ['component', 'at the start', 'at the end'], numbers: [1, 2],

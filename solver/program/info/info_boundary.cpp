@@ -140,6 +140,10 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
                gravity.bodies.empty() ? "" : fmt::format(" of {}", fmt::join(gravity.bodies, ", ")),
                table_text(gravity.table));
   }
+  for (const PointMass& point : scene.point_masses) {
+    fmt::print("  point mass: {} {} {}\n", with_unit(point.mass, units.mass), point.each ? "at each of" : "at",
+               nodes_text(model.mesh, point.nodes));
+  }
   for (const InitialVelocity& v : scene.initial_velocities) {
     fmt::print("  initial velocity: {}{} of {}{}\n", vector_text(v.velocity, units.velocity), components_text(v),
                nodes_text(model.mesh, v.nodes), spin_text(v, units));

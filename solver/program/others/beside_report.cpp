@@ -21,8 +21,9 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 double mass_of(const VariantRuns& variant) {
-  double mass = 0;
-  for (const BodyResult& body : variant.repeats.front().bodies) mass += body.mass_initial;
+  const RunSummary& summary = variant.repeats.front();
+  double mass = summary.point_mass;
+  for (const BodyResult& body : summary.bodies) mass += body.mass_initial;
   return mass;
 }
 

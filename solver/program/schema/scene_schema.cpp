@@ -136,6 +136,7 @@ SchemaJson definitions() {
   define<NodalLoad>(all, some_nodes());
   define<Pressure>(all, {{"anyOf", {required({"faces"}), some_nodes()}}});
   define<Gravity>(all);
+  define<PointMass>(all, some_nodes());
   define<InitialVelocity>(all, some_nodes(), {{"anyOf", {required({"velocity"}), required({"angular_velocity"})}}});
   define<Probe>(all, {{"oneOf", {required({"point"}), required({"node"}), required({"element"})}}});
   return all;

@@ -191,6 +191,11 @@ void require_refinable(const Scene& scene) {
     throw InputError(
         fmt::format("load.{}.each: expected false, a force on each node is another load on another mesh", i));
   }
+  for (std::size_t i = 0; i < scene.point_masses.size(); ++i) {
+    if (!scene.point_masses[i].each) continue;
+    throw InputError(
+        fmt::format("point_mass.{}.each: expected false, a mass of each node is another one on another mesh", i));
+  }
 }
 
 Scene refined_by(const Scene& scene, const MeshFactor& factor) {

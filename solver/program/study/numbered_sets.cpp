@@ -30,6 +30,7 @@ void for_each_list(SceneOrConst& scene, const Visit& visit) {
   all(scene.rigid_walls, "rigid_wall", nodes);
   all(scene.prescribed_velocities, "prescribed_velocity", nodes);
   all(scene.loads, "load", nodes);
+  all(scene.point_masses, "point_mass", nodes);
   all(scene.initial_velocities, "initial_velocity", nodes);
   all(
       scene.pressures, "pressure", [](auto& item) -> auto& { return item.faces; });

@@ -217,6 +217,7 @@ std::string unit_of_quantity(const std::string& quantity, const Units& units) {
                                       {"mass_remaining", &units.mass},
                                       {"mass_initial", &units.mass},
                                       {"mass_added", &units.mass},
+                                      {"point_mass", &units.mass},
                                       {"time", &units.time},
                                       {"dt", &units.time},
                                       {"work", &units.energy}}) {

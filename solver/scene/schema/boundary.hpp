@@ -165,6 +165,17 @@ constexpr void describe(Of<Gravity>, Visit&& visit) {
 }
 
 template <class Visit>
+constexpr void describe(Of<PointMass>, Visit&& visit) {
+  using T = PointMass;
+  visit(Key{"mass",
+            &T::mass,
+            "of all the nodes together, shared in proportion to the masses of their elements",
+            {.unit = "M", .bound = positive, .need = Need::required}});
+  visit(Key{"each", &T::each, "`true`: of each of the nodes"});
+  visit(Group{"nodes", &T::nodes, "which nodes; of a node that several tables have the masses add up"});
+}
+
+template <class Visit>
 constexpr void describe(Of<InitialVelocity>, Visit&& visit) {
   using T = InitialVelocity;
   visit(Key{"velocity",

@@ -116,6 +116,7 @@ constexpr void describe(Of<Scene>, Visit&& visit) {
   visit(Tables{"load", "loads", &T::loads, "forces on nodes"});
   visit(Tables{"pressure", "pressures", &T::pressures, "on faces of elements"});
   visit(Tables{"gravity", "gravities", &T::gravities, "accelerations of bodies"});
+  visit(Tables{"point_mass", "point_masses", &T::point_masses, "at nodes, beside those of elements"});
   visit(Tables{"initial_velocity", "initial_velocities", &T::initial_velocities, "of nodes, in place of their body's"});
   visit(Tables{"damping", "damping", &T::damping, "of all nodes"});
   visit(Tables{"probe", "probes", &T::probes, "history of a node or an element"});

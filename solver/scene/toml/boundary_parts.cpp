@@ -108,6 +108,12 @@ Gravity read_gravity(const SceneTable& table, const std::vector<std::string>& bo
   return gravity;
 }
 
+PointMass read_point_mass(const SceneTable& table) {
+  PointMass point;
+  read_with_nodes(table, point);
+  return point;
+}
+
 InitialVelocity read_initial_velocity(const SceneTable& table) {
   InitialVelocity given;
   read_with_nodes(table, given);

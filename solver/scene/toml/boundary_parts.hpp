@@ -20,6 +20,7 @@ NodalLoad read_load(const SceneTable& table);
 Pressure read_pressure(const SceneTable& table, std::size_t number);
 /// `bodies`: their names.
 Gravity read_gravity(const SceneTable& table, const std::vector<std::string>& bodies);
+PointMass read_point_mass(const SceneTable& table);
 InitialVelocity read_initial_velocity(const SceneTable& table);
 Probe read_probe(const SceneTable& table);
 

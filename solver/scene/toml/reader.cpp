@@ -123,6 +123,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
     forces.emplace_back(table, scene.gravities.back().name);
   }
   for (const auto& [table, name] : forces) table.require_none(force_name_problem(name, scene));
+  for (const auto& table : tables("point_mass")) scene.point_masses.push_back(read_point_mass(table));
   for (const auto& table : tables("initial_velocity")) {
     scene.initial_velocities.push_back(read_initial_velocity(table));
   }
