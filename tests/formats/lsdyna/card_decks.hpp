@@ -85,6 +85,8 @@ inline std::vector<CardDeck> decks_of_mesh() {
       {"NODE", "", nodes},
       {"ELEMENT_SOLID", "in one line", {"1,1,1,2,3,4,5,6,7,8", "2,2,9,10,11,12,13,14,15,16"}},
       {"ELEMENT_SOLID", "in two lines", {"1,1", "1,2,3,4,5,6,7,8", "2,2", "9,10,11,12,13,14,15,16"}},
+      {"ELEMENT_MASS", "", {"3,13,1.E-9"}, "", "EID"},
+      {"ELEMENT_MASS_NODE_SET", "", {"3,6,1.E-9"}, "", "EID"},
       {"ELEMENT_SHELL", "", {"3,3,17,18,19,20"}, plated + plate, "EID"},
       {"SECTION_SHELL", "", {"3", "0.1"}, plated + "*ELEMENT_SHELL\n3,3,17,18,19,20\n"},
       {"PART", "", {"lower", "1,1,1", "upper", "2,1,1"}},

@@ -45,6 +45,8 @@ void translate_nodal_rigid_bodies(DeckData& data, const KeywordBlock& block, Dec
 /// The name that a *CONSTRAINED_NODAL_RIGID_BODY of this number has; none: there is none.
 std::optional<std::string> nodal_rigid_body(const DeckData& data, std::int64_t number);
 void translate_extra_nodes(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+/// *ELEMENT_MASS, _NODE_SET: a [[point_mass]] of all nodes with the same mass.
+void translate_node_masses(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 void translate_joints(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 
 /// *NODE: constraints of TC, all nodes of one code together.

@@ -22,6 +22,8 @@ void add_mesh(Table& table) {
   table.push_back({"ELEMENT_SOLID", "in one line", {&l::solid}});
   table.push_back({"ELEMENT_SOLID", "in two lines", {&l::solid, &l::solid_nodes}});
   table.push_back({"ELEMENT_SHELL", "", {&l::shell}});
+  table.push_back({"ELEMENT_MASS", "", {&l::node_mass}});
+  table.push_back({"ELEMENT_MASS_NODE_SET", "", {&l::node_set_mass}});
   table.push_back({"PART", "", {title, &l::part}});
   table.push_back({"PART_CONTACT", "", {title, &l::part, &l::part_contact}});
   for (const bool in_system : {false, true}) {

@@ -29,6 +29,13 @@ inline constexpr CardLayout solid_nodes{solid_node("N1"), solid_node("N2"), soli
 
 inline constexpr CardLayout shell = solid;  ///< of four nodes, and of eight
 
+inline constexpr CardField mass_of_node = number("MASS").of(Dimension::mass).at_least(0).columns(16),
+                           part_of_mass = whole("PID").columns(8).reported("it only says in which sums a mass counts");
+inline constexpr CardLayout node_mass{whole("EID").always().columns(8), whole("NID").always().columns(8), mass_of_node,
+                                      part_of_mass};
+inline constexpr CardLayout node_set_mass{whole("EID").always().columns(8), whole("NSID").always().columns(8),
+                                          mass_of_node, part_of_mass};
+
 inline constexpr CardLayout part{whole("PID").always(),
                                  whole("SECID"),
                                  whole("MID"),
