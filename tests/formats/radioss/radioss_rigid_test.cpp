@@ -1,12 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tests/support/run_hash.hpp>
+
 #include "radioss_card_decks.hpp"
 
 namespace pinball::test::radioss_rigid_test {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 class RadiossRigid : public RadiossTest {
@@ -100,9 +103,41 @@ TEST_F(RadiossRigid, MassesAreAddedToMainNodes) {
     EXPECT_NEAR(norm(minus(*own.centre, Point{0.25, 0.25, 1})), 0, 1e-9);
     EXPECT_NEAR(own.inertia[0][0], m * (0.5 + (0.25 + 4) / 2), 1e-9 * m);
   }
-  expect_error(two_cubes(radioss_steel, groups + added(0, m, "6")),
-               {"/ADMAS of nodes that are no main nodes of an /RBODY", "cube_0000.rad:"});
+  expect_error(two_cubes(radioss_steel,
+                         groups + added(0, m, "8") + "/ADMAS/0/2\nmore\n" + fmt::format("{:>20.10g}{:>10}\n", m, "6")),
+               {"/ADMAS of nodes of an /RBODY whose main node has a mass or an inertia", "cube_0000.rad:"});
   expect_error(two_cubes(radioss_steel, groups + added(5, m, "8")), {"/ADMAS/5/1 of another type than 0 and 1"});
+}
+
+/// Of other nodes they are masses of these: of solids that deform, and of a rigid body in its own.
+TEST_F(RadiossRigid, MassesAreAddedToOtherNodes) {
+  const double m = 4e-9;
+  const auto added = [&](int type, const char* group) {
+    return fmt::format("/ADMAS/{}/1\nmore\n{:>20.10g}{:>10}\n", type, m, group);
+  };
+  const std::string groups = "/GRNOD/NODE/8\nn\n" + ten({"7", "8"}) + "/GRNOD/NODE/9\nn\n" + ten({"99"}),
+                    moving = fmt::format("/INIVEL/TRA/1\nv\n{:>20}{:>20}{:>20}{:>10}\n", 0, 0, -100, 8);
+  const std::string deforms = two_cubes(radioss_steel, groups + moving);
+  for (const int type : {0, 1}) {
+    Scene own = scene(deforms);
+    const Scene made = scene(two_cubes(radioss_steel, groups + moving + added(type, "8")));
+    ASSERT_EQ(made.point_masses.size(), 1U);
+    EXPECT_THAT(made.point_masses[0].nodes.nodes, ElementsAre(7, 8));
+    EXPECT_TRUE(made.point_masses[0].each);
+    EXPECT_EQ(made.point_masses[0].mass, type == 0 ? m : m / 2);
+    PointMass point;
+    point.nodes.plane = Plane{{0, 0, 1}, {0, 0, 1}};
+    point.nodes.line = Line{{0, 1, 1}, {1, 0, 0}};
+    point.mass = type == 0 ? 2 * m : m;
+    own.point_masses = {point};
+    EXPECT_EQ(hash_of<double>(made), hash_of<double>(own));
+    EXPECT_NE(hash_of<double>(made), hash_of<double>(scene(deforms)));
+  }
+  expect_error(two_cubes(radioss_steel, groups + added(0, "9")),
+               {"/ADMAS of nodes that no solid has, and no main nodes of an /RBODY", "cube_0000.rad:"});
+  const std::string rigid = "/GRNOD/PART/6\nlower\n" + ten({"1"}) + body("99", 0, "6", "1");
+  const Solver<double> solver(scene(two_cubes(radioss_steel, groups + rigid + added(0, "8"))));
+  EXPECT_NEAR(solver.rigid().results().at(0).mass, 7.85e-9 + 2 * m, 1e-20);
 }
 
 /// Forces on a main node that is no centre of its nodes act there all the same.

@@ -9,6 +9,7 @@
 #include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
 #include <solver/formats/deck/deck_definitions.hpp>
 #include <solver/formats/deck/deck_element.hpp>
+#include <solver/formats/deck/deck_point_masses.hpp>
 #include <solver/formats/deck/deck_report.hpp>
 #include <solver/formats/deck/deck_scene.hpp>
 #include <solver/formats/deck/deck_side.hpp>
@@ -102,6 +103,7 @@ class AbaqusData {
   std::vector<DeckElement> body_elements;  ///< per body, when they are known
   std::vector<AbaqusStep> steps;           ///< one after the other, at least one
   std::vector<bool> used;                  ///< per node of the mesh: whether an element has it
+  DeckPointMasses point_masses;            ///< of nodes of solids that deform
   std::vector<AbaqusRigidBody> rigid;
   std::vector<AbaqusWall> walls;
   std::vector<std::int32_t> rigid_of_node;  ///< per node: the rigid body whose elements have it, or -1; empty: none

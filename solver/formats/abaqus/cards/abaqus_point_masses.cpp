@@ -9,7 +9,7 @@
 
 #include "abaqus_parts.hpp"
 
-/// MASS and ROTARY INERTIA: masses of reference nodes, and what rigid bodies weigh with them.
+/// MASS and ROTARY INERTIA: masses of nodes that deform and of reference nodes, and what rigid bodies weigh with these.
 namespace pinball {
 
 namespace {
@@ -157,6 +157,14 @@ void weigh_rigid_bodies(AbaqusData& data) {
   }
 }
 
+/// Whether a node moves by itself, with solids: no rigid body has it.
+bool is_of_solids(const AbaqusData& data, std::int32_t node) {
+  const bool is_rigid = std::ranges::any_of(data.rigid, [node](const AbaqusRigidBody& rigid) {
+    return std::ranges::find(rigid.tied, node) != rigid.tied.end();
+  });
+  return data.used[node] && !is_rigid && (data.rigid_of_node.empty() || data.rigid_of_node[node] < 0);
+}
+
 }  // namespace
 
 void find_abaqus_point_masses(AbaqusData& data) {
@@ -174,9 +182,13 @@ void find_abaqus_point_masses(AbaqusData& data) {
       for (const AbaqusPointElement* point : points) {
         known[point - data.mesh.points.data()] = true;
         AbaqusRigidBody* rigid = data.rigid_at(point->node);
+        if (is_mass && rigid == nullptr && is_of_solids(data, point->node)) {
+          if (mass > 0) data.point_masses.add(point->node, mass, card_of(*block, block->place));
+          continue;
+        }
         if (rigid == nullptr || rigid->is_coupling() || rigid->is_wall) {
           data.report.reject(block->place, block->star_name() + " of a node that is no reference node of a rigid body",
-                             "the density of a section in its place");
+                             is_mass ? "give it to that, or to a node of solids that deform" : "masses of nodes");
           continue;
         }
         rigid->mass += mass;

@@ -17,7 +17,7 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"ELEMENT", mesh,
        "C3D8R; C3D8 and its variants as elements of assumed strain; C3D6, C3D5 and C3D4 as collapsed hexahedra; C3D10 "
        "as eight of C3D4, C3D20 and C3D20R as eight of C3D8; R3D4 and R3D3 of a RIGID BODY as a layer of "
-       "solids; MASS and ROTARYI of reference nodes",
+       "solids; MASS of nodes of solids, MASS and ROTARYI of reference nodes",
        "TYPE ELSET INPUT"},
       {"NSET", mesh, "lists, GENERATE, of an ELSET, of an INSTANCE",
        "NSET ELSET GENERATE INSTANCE INTERNAL UNSORTED INPUT"},
@@ -38,8 +38,9 @@ const std::vector<AbaqusRule>& abaqus_rules() {
        "move and throw it; nodes of a TIE NSET or a PIN NSET move with it; a straight ANALYTICAL SURFACE that is held "
        "as a wall",
        "REFNODE ANALYTICALSURFACE ELSET POSITION=INPUT|CENTEROFMASS ISOTHERMAL TIENSET PINNSET"},
-      {"MASS", done, "of MASS elements at reference nodes of a RIGID BODY", "ELSET TYPE=ISOTROPIC"},
-      {"ROTARY INERTIA", done, "the same of ROTARYI elements, without products of inertia", "ELSET"},
+      {"MASS", done, "of MASS elements at nodes of solids, a point mass, or at reference nodes of a RIGID BODY",
+       "ELSET TYPE=ISOTROPIC"},
+      {"ROTARY INERTIA", done, "of ROTARYI elements at reference nodes, without products of inertia", "ELSET"},
       {"COUPLING", done, "nodes of a surface that move as one with a REF NODE, as a RIGID BODY does; with KINEMATIC",
        "CONSTRAINTNAME REFNODE SURFACE"},
       {"KINEMATIC", done, "of all directions"},

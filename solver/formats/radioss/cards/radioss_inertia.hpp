@@ -27,8 +27,6 @@ RadiossInertia with_main_node(const RadiossData& data, const std::vector<bool>& 
 
 /// What /ADMAS of types 0 and 1 give a node [mass].
 double mass_added_to(const RadiossData& data, std::int32_t main);
-/// Those of nodes that are no main nodes, when rigid bodies are found, and of other types.
-void reject_other_added_masses(RadiossData& data);
 
 /// Per node of the mesh whether it is of a rigid body, which is one of data.rigid.
 std::vector<bool> nodes_of(const RadiossData& data, const RadiossRigidBody& rigid);

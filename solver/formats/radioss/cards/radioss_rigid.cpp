@@ -119,7 +119,6 @@ void find_radioss_rigid_bodies(RadiossData& data) {
     given.add(fmt::format("rigid body {}", block->id()), block->place);
     read_rigid_body(data, *block);
   }
-  reject_other_added_masses(data);
   for (const RadiossBody& body : data.bodies) {
     for (const RadiossBlock* material : data.blocks_of("MAT/RIGID")) {
       if (material->id() == body.part.material) find_rigid_part(data, body, *material);

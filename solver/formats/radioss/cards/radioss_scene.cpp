@@ -70,6 +70,7 @@ TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const 
   translate_radioss_boundary(data, boundary);
   translate_radioss_velocities(data, boundary);
   translate_radioss_loads(data, boundary);
+  translate_radioss_added_masses(data, boundary);
   translate_radioss_rigid_bodies(data, bodies);
   translate_radioss_joints(data, joints, bodies);
   translate_radioss_probes(data, boundary);
