@@ -119,7 +119,7 @@ TEST(PointMass, OfANodeThatIsStruckCarriesItsMomentumIntoTheCube) {
   solver.step();
   EXPECT_NEAR(solver.initial_energy(), 0.5 * mass * 4, 1e-9);
   const double worst = worst_balance_of_run(solver);
-  EXPECT_LT(worst, 5e-3);
+  EXPECT_LT(worst, 1e-5);
   EXPECT_NEAR(solver.momentum()[0], 0, 1e-11 * mass);
   EXPECT_NEAR(solver.momentum()[2], -2 * mass, 1e-11 * mass);
 }
