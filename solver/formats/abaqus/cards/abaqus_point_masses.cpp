@@ -159,9 +159,8 @@ void weigh_rigid_bodies(AbaqusData& data) {
 
 /// Whether a node moves by itself, with solids: no rigid body has it.
 bool is_of_solids(const AbaqusData& data, std::int32_t node) {
-  const bool is_rigid = std::ranges::any_of(data.rigid, [node](const AbaqusRigidBody& rigid) {
-    return std::ranges::find(rigid.tied, node) != rigid.tied.end();
-  });
+  const bool is_rigid = std::ranges::any_of(
+      data.rigid, [node](const AbaqusRigidBody& rigid) { return std::ranges::binary_search(rigid.tied, node); });
   return data.used[node] && !is_rigid && (data.rigid_of_node.empty() || data.rigid_of_node[node] < 0);
 }
 
