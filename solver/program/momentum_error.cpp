@@ -50,11 +50,15 @@ std::vector<Point> directions_acted_on(const Scene& scene) {
 
 }  // namespace
 
-std::optional<double> momentum_error(const Scene& scene, const RunSummary& summary) {
-  const std::vector<Point> acted_on = directions_acted_on(scene);
+double initial_mass(const RunSummary& summary) {
   double mass = summary.point_mass;
   for (const BodyResult& body : summary.bodies) mass += body.mass_initial;
-  const double largest = std::sqrt(2 * mass * summary.initial_total);
+  return mass;
+}
+
+std::optional<double> momentum_error(const Scene& scene, const RunSummary& summary) {
+  const std::vector<Point> acted_on = directions_acted_on(scene);
+  const double largest = std::sqrt(2 * initial_mass(summary) * summary.initial_total);
   if (acted_on.size() == 3 || !(largest > 0)) return std::nullopt;
   Point change = minus(summary.momentum_final, summary.momentum_initial);
   return make_orthogonal(change, acted_on) / largest;

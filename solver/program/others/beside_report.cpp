@@ -9,6 +9,7 @@
 #include <set>
 #include <span>
 
+#include <solver/program/momentum_error.hpp>
 #include <solver/program/text_table.hpp>
 
 #include "curve_difference.hpp"
@@ -20,15 +21,8 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-double mass_of(const VariantRuns& variant) {
-  const RunSummary& summary = variant.repeats.front();
-  double mass = summary.point_mass;
-  for (const BodyResult& body : summary.bodies) mass += body.mass_initial;
-  return mass;
-}
-
 std::vector<CurveDifference> differences(const VariantRuns& variant, const OtherHistory& other) {
-  return curve_differences(variant.curves, other, mass_of(variant));
+  return curve_differences(variant.curves, other, initial_mass(variant.repeats.front()));
 }
 
 std::string share_cell(const std::optional<double>& share) {
@@ -194,7 +188,8 @@ std::string beside_curves_json(const std::vector<VariantRuns>& runs, const std::
       Curves curves{{}, std::vector<std::vector<double>>(variant.curves.rows.size()), variant.curves.rows.size()};
       for (const OtherCurve* curve : shown) {
         curves.columns.push_back(curve->name);
-        const std::vector<double> values = values_of(variant.curves, curve->meaning, mass_of(variant));
+        const std::vector<double> values =
+            values_of(variant.curves, curve->meaning, initial_mass(variant.repeats.front()));
         for (std::size_t row = 0; row < values.size(); ++row) curves.rows[row].push_back(values[row]);
       }
       here += (here.empty() ? "" : ",") + curves_json(curves);
