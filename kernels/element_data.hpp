@@ -9,6 +9,7 @@
 #include "material/failure.hpp"
 #include "material/fluid.hpp"
 #include "material/johnson_cook.hpp"
+#include "material/johnson_holmquist.hpp"
 #include "material/material_state.hpp"
 #include "material/mooney_rivlin.hpp"
 #include "material/orthotropic.hpp"
@@ -88,6 +89,7 @@ struct ElementConstants {
   bool averaged_volumes = false;  ///< of tetrahedra and collapsed hexahedra: over nodes (element/averaged_step.hpp)
   HardeningConstants<S> hardening{};
   JohnsonCookConstants<S> johnson_cook{};  ///< in the place of `hardening`, where used
+  JohnsonHolmquistConstants<S> brittle{};  ///< in the place of `hardening` and of the linear pressure, where used
   MooneyRivlinConstants<S> rubber{};       ///< of what never yields, in the place of Hooke's law, where used
   OrthotropicConstants<S> orthotropic{};   ///< the same
   FluidConstants<S> fluid{};               ///< in the place of all strength, where used

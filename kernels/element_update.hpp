@@ -79,7 +79,7 @@ PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elemen
       follow_energy_generally(constants, own, numbers, limit, law.middle, law.motion, dt, stress_old, stress,
                               stable_rate);
     } else {
-      failed = yield<features>(constants, numbers, law.motion, dt, density, hourglass, stress, plastic_strain);
+      failed = yield<features>(constants, own, numbers, law, dt, hourglass, stress, plastic_strain);
     }
     hourglass.count_yield(sums);
   }

@@ -56,7 +56,7 @@ PINBALL_FUNCTION void update_tetrahedron_pack(const ElementView<ScalarOf<T>>& el
     follow_energy_generally(constants, own, numbers, of_law, law.middle, law.motion, dt, stress_old, stress,
                             stable_rate);
   } else {
-    failed = yield<features>(constants, numbers, law.motion, dt, density, hourglass, stress, plastic_strain);
+    failed = yield<features>(constants, own, numbers, law, dt, hourglass, stress, plastic_strain);
   }
   follow_equation_of_state<features>(constants, own, numbers, of_law, law.middle, law.motion, viscosity, hourglass,
                                      stress_old, stress, stable_rate);

@@ -46,6 +46,29 @@ struct JohnsonCookSettings {
   bool operator==(const JohnsonCookSettings&) const = default;
 };
 
+/// johnson_holmquist of a material: a brittle one (Johnson and Holmquist 1994), of strength that grows with pressure
+/// and falls with damage (kernels/material/johnson_holmquist.hpp). K_1 is its bulk_modulus.
+struct JohnsonHolmquistSettings {
+  double intact_strength = 0.0;         ///< intact_strength: A [-]
+  double intact_exponent = 0.0;         ///< intact_exponent: N [-]
+  double fractured_strength = 0.0;      ///< fractured_strength: B [-]
+  double fractured_exponent = 1.0;      ///< fractured_exponent: M [-]
+  double most_fractured = 0.0;          ///< most_fractured: F; 0: no such limit [-]
+  double rate_coefficient = 0.0;        ///< rate_coefficient: C [-]
+  double reference_rate = 0.0;          ///< reference_rate: above which it grows with the rate; needed for C [1/time]
+  double tensile_strength = 0.0;        ///< tensile_strength: of a mean stress [stress]
+  double elastic_limit = 0.0;           ///< elastic_limit: HEL, of the stress along a shock [stress]
+  double elastic_limit_pressure = 0.0;  ///< elastic_limit_pressure: p_H, the pressure there [stress]
+  double damage_coefficient = 0.0;      ///< damage_coefficient: D_1 [-]
+  double damage_exponent = 1.0;         ///< damage_exponent: D_2 [-]
+  double quadratic_modulus = 0.0;       ///< quadratic_modulus: K_2 [stress]
+  double cubic_modulus = 0.0;           ///< cubic_modulus: K_3 [stress]
+  double bulking = 0.0;                 ///< bulking: beta [-]
+  bool erodes = false;                  ///< erodes: an element whose damage reaches 1 is eroded
+
+  bool operator==(const JohnsonHolmquistSettings&) const = default;
+};
+
 /// mooney_rivlin of a material: an energy of A (I - 3) + B (II - 3) and of the volume
 /// (kernels/material/mooney_rivlin.hpp).
 struct MooneyRivlinSettings {
@@ -130,12 +153,18 @@ struct Material {
   double rate_constant = 0.0;                  ///< rate_constant: C of Cowper and Symonds; 0: no such law [1/time]
   double rate_exponent = 0.0;                  ///< rate_exponent: p of that law [-]
   double rate_stress = 0.0;  ///< rate_stress: what the law adds a multiple of; 0: of the yield stress itself [stress]
-  std::optional<JohnsonCookSettings> johnson_cook;           ///< in the place of hardening and rate laws above
-  std::optional<MooneyRivlinSettings> mooney_rivlin;         ///< of an elastic one, in the place of its moduli
-  std::optional<OrthotropicSettings> orthotropic;            ///< the same
-  std::optional<FluidSettings> fluid;                        ///< in the place of all strength
-  std::optional<EquationOfStateSettings> equation_of_state;  ///< in the place of the bulk modulus, which follows
-  std::optional<ErosionSettings> erosion;                    ///< limits beside erosion_strain; of elastic ones, too
+  std::optional<JohnsonCookSettings> johnson_cook;            ///< in the place of hardening and rate laws above
+  std::optional<JohnsonHolmquistSettings> johnson_holmquist;  ///< in the place of yield_stress, hardening and rates
+  std::optional<MooneyRivlinSettings> mooney_rivlin;          ///< of an elastic one, in the place of its moduli
+  std::optional<OrthotropicSettings> orthotropic;             ///< the same
+  std::optional<FluidSettings> fluid;                         ///< in the place of all strength
+  std::optional<EquationOfStateSettings> equation_of_state;   ///< in the place of the bulk modulus, which follows
+  std::optional<ErosionSettings> erosion;                     ///< limits beside erosion_strain; of elastic ones, too
 };
+
+/// Whether its strength begins at a yield_stress.
+inline bool has_yield_stress(const Material& material) {
+  return material.plastic && !material.fluid && !material.johnson_holmquist;
+}
 
 }  // namespace pinball

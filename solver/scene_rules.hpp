@@ -40,9 +40,13 @@ std::optional<Problem> problem_of(const Material& material);
 std::optional<Problem> problem_of(const Body& body, const Scene& scene);
 std::optional<Problem> problem_of(const YieldCurve& curve);
 std::optional<Problem> problem_of(const JohnsonCookSettings& law);
+/// bulk_modulus: of the material.
+std::optional<Problem> problem_of(const JohnsonHolmquistSettings& law, double bulk_modulus);
 std::optional<Problem> problem_of(const OrthotropicSettings& law);
 std::optional<Problem> problem_of(const EquationOfStateSettings& eos);
 std::optional<Problem> problem_of(const ErosionSettings& erosion);
+/// Whether its elements are eroded where their damage reaches 1.
+bool erodes_by_damage(const Material& material);
 /// Whether its elements may be eroded for a reason of the material's.
 bool erodes(const Material& material);
 /// The slope of the pressure over the compression there [stress]; 0 of settings that are none.

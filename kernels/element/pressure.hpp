@@ -49,7 +49,8 @@ PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const E
   return now.bulk_modulus;
 }
 
-/// Both, after yield; the stable rate is that of a linear material of that rho c^2.
+/// Both, after yield; the stable rate is that of a linear material of that rho c^2. A brittle material has its pressure
+/// from its strength, and rho c^2 = (1 + mu) dp/dmu.
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION void follow_equation_of_state(const ElementConstants<ScalarOf<T>>& constants,
                                                const ElementPack<T, L>& own, const ElementNumbers<T, L>& numbers,
@@ -71,6 +72,11 @@ PINBALL_FUNCTION void follow_equation_of_state(const ElementConstants<ScalarOf<T
         return;
       }
       stable_rate = bound.rate(bulk_modulus - T(S(2.0 / 3.0) * constants.material.mu), T(constants.material.mu));
+    } else if (constants.brittle.used) {
+      const T density = own.mass * T(constants.specific_volume) * middle.inverse_end_volume;  // over that at rest
+      const T slope = brittle_pressure(constants.brittle, T(density - T(1))).slope;
+      stable_rate = bound.rate(maximum(T(0), density * slope) - T(S(2.0 / 3.0) * constants.material.mu),
+                               T(constants.material.mu));
     }
   }
 }

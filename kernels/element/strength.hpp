@@ -5,6 +5,7 @@
 #include "../material/mooney_rivlin.hpp"
 #include "../material/neo_hookean.hpp"
 #include "../material/orthotropic.hpp"
+#include "averaged_step.hpp"
 #include "element_pack.hpp"
 #include "hourglass_control.hpp"
 #include "stability.hpp"
@@ -156,14 +157,15 @@ PINBALL_FUNCTION void follow_energy_generally(const ElementConstants<ScalarOf<T>
 }
 
 /// Returns the stress, and hourglass stresses, to the yield surface; plastic_strain: of the old state. Returns elements
-/// that fail for a reason of their law's own. density: at the end of the step.
+/// that fail for a reason of their law's own.
 template <ElementFeatures features, class T, int L>
-PINBALL_FUNCTION MaskOf<T> yield(const ElementConstants<ScalarOf<T>>& constants, const ElementNumbers<T, L>& numbers,
-                                 const StepMotion<T, features>& motion, ScalarOf<T> dt, const T& density,
+PINBALL_FUNCTION MaskOf<T> yield(const ElementConstants<ScalarOf<T>>& constants, const ElementPack<T, L>& own,
+                                 const ElementNumbers<T, L>& numbers, const LawStep<T, features>& law, ScalarOf<T> dt,
                                  HourglassStep<T, features>& hourglass, Symmetric<T>& stress, T& plastic_strain) {
   if constexpr (features.yield == YieldLaw::general) {
-    const Symmetric<T> deformation = symmetric_part(motion.gradient);
-    const YieldOutcome<T> outcome = yield_generally(constants, {deformation, motion.rotation, dt, density}, numbers,
+    const Symmetric<T> deformation = symmetric_part(law.motion.gradient);
+    const T density = own.mass * law.middle.inverse_end_volume;
+    const YieldOutcome<T> outcome = yield_generally(constants, {deformation, law.motion.rotation, dt, density}, numbers,
                                                     hourglass.kept, stress, plastic_strain);
     hourglass.lost = outcome.lost;
     hourglass.any_lost = outcome.any_lost;

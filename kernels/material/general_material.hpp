@@ -74,6 +74,35 @@ PINBALL_FUNCTION void yield_with_heat(const ElementConstants<ScalarOf<T>>& const
   }
 }
 
+/// Johnson and Holmquist: pressure, strength and damage. In a step of no length nothing yields.
+template <HourglassKind kind, class T, int L>
+PINBALL_FUNCTION void break_brittly(const ElementConstants<ScalarOf<T>>& constants, const ElementMotion<T>& motion,
+                                    const ElementNumbers<T, L>& numbers, KeptHourglass<T, kind>& kept,
+                                    Symmetric<T>& stress, T& plastic_strain, YieldOutcome<T>& outcome) {
+  const JohnsonHolmquistConstants<ScalarOf<T>>& law = constants.brittle;
+  const MaterialPlaces& places = constants.places;
+  const T damage = numbers.get(places.damage), bulking = numbers.get(places.bulking);
+  const auto there = motion.density > T(0);
+  const T compression = select(there, motion.density * T(constants.specific_volume) - T(1), T(0));
+  const T least = (damage - T(1)) * T(law.tension);
+  const T pressure = maximum(brittle_pressure(law, compression).value + bulking, least);
+  const T shift = -pressure - number<T>(1.0 / 3.0) * trace(stress);
+  stress.xx += shift;
+  stress.yy += shift;
+  stress.zz += shift;
+  if (!(motion.dt > 0)) return;
+  JohnsonHolmquistYield<T> strength(constants.material, law, motion.deformation, pressure, damage);
+  Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
+  const T strain_before = plastic_strain;
+  outcome.any_lost = return_generally(strength, kept, stress, back, plastic_strain, outcome.lost);
+  if (!outcome.any_lost) return;
+  const T after = strength.damaged_by(plastic_strain - strain_before);
+  numbers.set(places.bulking, bulking_after(law, constants.material.mu, T(T(law.modulus[0]) * compression), bulking,
+                                            strength.strength_at(damage), strength.strength_at(after)));
+  numbers.set(places.damage, after);
+  if (law.erodes) outcome.failed = after >= T(1);
+}
+
 /// Yield of a step, with what is kept. In a step of no length nothing strains, and its rates are those of the next.
 template <HourglassKind kind, class T, int L>
 PINBALL_FUNCTION YieldOutcome<T> yield_generally(const ElementConstants<ScalarOf<T>>& constants,
@@ -87,6 +116,10 @@ PINBALL_FUNCTION YieldOutcome<T> yield_generally(const ElementConstants<ScalarOf
   }
   if (constants.johnson_cook.used) {
     if (motion.dt > 0) yield_with_heat(constants, motion, numbers, kept, stress, plastic_strain, outcome);
+    return outcome;
+  }
+  if (constants.brittle.used) {
+    break_brittly(constants, motion, numbers, kept, stress, plastic_strain, outcome);
     return outcome;
   }
   const int place = constants.places.back_stress;

@@ -12,6 +12,7 @@ struct MaterialPlaces {
   int energy = -1;       ///< e of equation_of_state.hpp [stress]
   int damage = -1;       ///< 1: has failed [-]
   int hardening = -1;    ///< e_h of johnson_cook.hpp [-]
+  int bulking = -1;      ///< b of johnson_holmquist.hpp [stress]
   int strain = -1;       ///< six: xx yy zz xy yz zx of e of failure.hpp [-]
   int deformation = -1;  ///< six: xx yy zz xy yz zx of E of mooney_rivlin.hpp [-]
   int gradient = -1;     ///< nine: H of orthotropic.hpp, row by row [-]

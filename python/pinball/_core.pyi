@@ -482,6 +482,42 @@ class JohnsonCook:
     damage_weakening: float
     """w: part of the strength that is lost by then, in proportion to the damage [-]"""
 
+class JohnsonHolmquist:
+    """Brittle material after Johnson and Holmquist."""
+    def __init__(self, *, intact_strength: float = ..., intact_exponent: float = ..., fractured_strength: float = ..., fractured_exponent: float = ..., most_fractured: float = ..., rate_coefficient: float = ..., reference_rate: float = ..., tensile_strength: float = ..., elastic_limit: float = ..., elastic_limit_pressure: float = ..., damage_coefficient: float = ..., damage_exponent: float = ..., quadratic_modulus: float = ..., cubic_modulus: float = ..., bulking: float = ..., erodes: bool = ...) -> None: ...
+    intact_strength: float
+    """A [-]"""
+    intact_exponent: float
+    """N [-]"""
+    fractured_strength: float
+    """B [-]"""
+    fractured_exponent: float
+    """M [-]"""
+    most_fractured: float
+    """F, of the strength of fragments; 0: no such limit [-]"""
+    rate_coefficient: float
+    """C [-]"""
+    reference_rate: float
+    """above which strength grows with the rate; > 0 beside rate_coefficient [1/time]"""
+    tensile_strength: float
+    """of the mean stress [stress]"""
+    elastic_limit: float
+    """HEL, Hugoniot elastic limit: stress along a shock [stress]"""
+    elastic_limit_pressure: float
+    """p_H, the pressure there, < elastic_limit [stress]"""
+    damage_coefficient: float
+    """D_1; 0: it breaks where it yields [-]"""
+    damage_exponent: float
+    """D_2 [-]"""
+    quadratic_modulus: float
+    """K_2, of the pressure [stress]"""
+    cubic_modulus: float
+    """K_3 [stress]"""
+    bulking: float
+    """beta: part of the elastic energy set free by damage that presses fragments apart [-]"""
+    erodes: bool
+    """whether an element whose damage reaches 1 is eroded"""
+
 class MooneyRivlin:
     """Rubber after Mooney and Rivlin."""
     def __init__(self, *, a: float = ..., b: float = ..., poisson_ratio: float = ...) -> None: ...
@@ -560,7 +596,7 @@ class Erosion:
 
 class Material:
     """[[material]] of a scene, with bulk and shear modulus."""
-    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., orthotropic: Optional[Orthotropic] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., johnson_holmquist: Optional[JohnsonHolmquist] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., orthotropic: Optional[Orthotropic] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
     name: str
     """unique"""
     plastic: bool
@@ -597,6 +633,8 @@ class Material:
     """the law adds this stress times (rate/C)^(1/p) instead; 0: none [stress]"""
     johnson_cook: Optional[JohnsonCook]
     """table (below), in the place of the laws of hardening and rate above; yield_stress is its A; None: none"""
+    johnson_holmquist: Optional[JohnsonHolmquist]
+    """table (below), in the place of yield_stress and the laws above: ceramics, glass and rock, whose strength grows with the pressure; bulk_modulus is its K_1; None: none"""
     mooney_rivlin: Optional[MooneyRivlin]
     """table (below): rubber, in the place of the moduli; None: none"""
     orthotropic: Optional[Orthotropic]

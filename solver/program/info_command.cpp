@@ -90,9 +90,10 @@ void print_materials(const Scene& scene, const Units& units) {
   for (const Material& m : scene.materials) {
     const double wave_modulus = m.bulk_modulus + 4.0 / 3.0 * m.shear_modulus;
     fmt::print("  {} ({}): density {}, bulk modulus {}, shear modulus {}\n", m.name,
-               m.fluid     ? "fluid"
-               : m.plastic ? "von Mises"
-                           : "elastic",
+               m.fluid               ? "fluid"
+               : m.johnson_holmquist ? "brittle"
+               : m.plastic           ? "von Mises"
+                                     : "elastic",
                with_unit(m.density, units.density), with_unit(m.bulk_modulus, units.stress),
                with_unit(m.shear_modulus, units.stress));
     fmt::print("    velocity of longitudinal waves {}\n",
@@ -213,7 +214,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
     if (material.plastic && material.erosion_strain > 0) {
       fmt::print(", erosion at plastic strain {:.4g}", material.erosion_strain);
     }
-    if (material.johnson_cook && !material.johnson_cook->failure.empty()) fmt::print(", erosion at damage 1");
+    if (erodes_by_damage(material)) fmt::print(", erosion at damage 1");
     if (material.erosion) fmt::print(", erosion beyond limits");
     if (model.constants[p].failure.negative_volume) fmt::print(", erosion of inverted elements");
     if (f.hourglass != HourglassKind::none)

@@ -27,6 +27,9 @@ double contact_to_come(const Scene& scene, double speed, double surface) {
 
 /// With which a material flows at the strains of an impact, as far as it says so by one number [stress].
 double flow_stress(const Material& m) {
+  if (const auto& brittle = m.johnson_holmquist) {
+    return brittle->intact_strength * 1.5 * (brittle->elastic_limit - brittle->elastic_limit_pressure);
+  }
   return m.yield_stress + (m.johnson_cook ? m.johnson_cook->hardening_coefficient : 0.0);
 }
 

@@ -110,7 +110,7 @@ void check_material(Material& material, Names& earlier) {
   table.require_none(name_problem(material.name));
   table.require_none(earlier.add(material.name));
   table.keys(material);
-  if (material.plastic && !material.fluid) table.number("yield_stress", material.yield_stress, positive);
+  if (has_yield_stress(material)) table.number("yield_stress", material.yield_stress, positive);
   table.require_none(problem_of(material));
 }
 

@@ -59,6 +59,16 @@ Material with_damage() {
   return m;
 }
 
+/// Aluminium oxide, weaker than it is, so that it breaks and is pressed apart.
+Material that_breaks() {
+  Material m = steel();
+  m.yield_stress = m.plastic_modulus = 0;
+  m.strain_rate = StrainRate::deviatoric;
+  m.johnson_holmquist =
+      JohnsonHolmquistSettings{0.93, 0.6, 0.31, 0.6, 0, 0.01, 1, 2e8, 2.8e9, 1.46e9, 0.05, 1, 1e10, 2e10, 1, false};
+  return m;
+}
+
 std::vector<Material> materials() {
   return {steel(0),
           steel(0.5),
@@ -69,7 +79,8 @@ std::vector<Material> materials() {
           with_power(StrainRate::plastic),
           with_heat(StrainRate::deviatoric),
           with_heat(StrainRate::plastic),
-          with_damage()};
+          with_damage(),
+          that_breaks()};
 }
 
 /// A bar that strikes a wall with its edge first: it yields, bends and springs back.

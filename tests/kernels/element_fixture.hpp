@@ -7,16 +7,17 @@
 namespace pinball::test {
 
 /// All that a material may keep, in this order.
-inline constexpr int material_numbers = 30;
+inline constexpr int material_numbers = 31;
 inline constexpr MaterialPlaces material_places{.back_stress = 0,
                                                 .temperature = 5,
                                                 .energy = 6,
                                                 .damage = 7,
                                                 .hardening = 29,
+                                                .bulking = 30,
                                                 .strain = 8,
                                                 .deformation = 14,
                                                 .gradient = 20,
-                                                .numbers = 30};
+                                                .numbers = 31};
 
 struct ElementState {
   double mass = 0;
@@ -88,6 +89,7 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
   to.places = c.places;
   if constexpr (std::is_same_v<S, double>) {
     to.johnson_cook = c.johnson_cook;
+    to.brittle = c.brittle;
     to.pressure = c.pressure;
     to.fluid = c.fluid;
     to.rubber = c.rubber;

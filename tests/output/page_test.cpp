@@ -156,6 +156,7 @@ Scene scene() {
                       .yield_curves = {},
                       .power_hardening = {},
                       .johnson_cook = {},
+                      .johnson_holmquist = {},
                       .mooney_rivlin = {},
                       .orthotropic = {},
                       .fluid = {},

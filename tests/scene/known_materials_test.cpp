@@ -89,6 +89,13 @@ TEST_F(KnownMaterials, AreTheSameInAllUnits) {
         EXPECT_EQ(si.johnson_cook->melting_temperature, other.johnson_cook->melting_temperature);
         EXPECT_EQ(si.johnson_cook->failure, other.johnson_cook->failure);
       }
+      ASSERT_EQ(si.johnson_holmquist.has_value(), other.johnson_holmquist.has_value());
+      if (si.johnson_holmquist) {
+        same(si.johnson_holmquist->tensile_strength, other.johnson_holmquist->tensile_strength, stress);
+        same(si.johnson_holmquist->elastic_limit, other.johnson_holmquist->elastic_limit, stress);
+        same(si.johnson_holmquist->cubic_modulus, other.johnson_holmquist->cubic_modulus, stress);
+        EXPECT_EQ(si.johnson_holmquist->intact_strength, other.johnson_holmquist->intact_strength);
+      }
       ASSERT_EQ(si.equation_of_state.has_value(), other.equation_of_state.has_value());
       if (si.equation_of_state) {
         same(si.equation_of_state->sound_speed, other.equation_of_state->sound_speed, velocity);
@@ -96,6 +103,25 @@ TEST_F(KnownMaterials, AreTheSameInAllUnits) {
       }
     }
   }
+}
+
+/// Along a shock, at the pressure of the Hugoniot elastic limit, all is elastic, and the stress is that limit.
+TEST_F(KnownMaterials, OfBrittleOnesHaveTheElasticLimitOfTheirPressure) {
+  int brittle = 0;
+  for (const GivenTable& known : known_materials()) {
+    const Material m = material("SI", "use = \"" + text_of(known, "name") + "\"");
+    if (!m.johnson_holmquist) continue;
+    ++brittle;
+    const JohnsonHolmquistSettings& law = *m.johnson_holmquist;
+    const auto pressure = [&](double mu) {
+      return mu * (m.bulk_modulus + mu * (law.quadratic_modulus + mu * law.cubic_modulus));
+    };
+    double mu = 0;
+    while (pressure(mu) < law.elastic_limit_pressure) mu += 1e-6;
+    const double effective = 2 * m.shear_modulus * mu / (1 + mu);  // small strains, of the pressed length
+    EXPECT_NEAR(pressure(mu) + 2.0 / 3 * effective, law.elastic_limit, 0.01 * law.elastic_limit) << m.name;
+  }
+  EXPECT_EQ(brittle, 4);
 }
 
 TEST_F(KnownMaterials, HaveRatesInTheTimeOfTheScene) {

@@ -24,6 +24,7 @@ Scene example() {
                       .yield_curves = {},
                       .power_hardening = {},
                       .johnson_cook = {},
+                      .johnson_holmquist = {},
                       .mooney_rivlin = {},
                       .orthotropic = {},
                       .fluid = {},

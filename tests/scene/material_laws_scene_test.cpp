@@ -4,7 +4,7 @@
 #include <solver/scene_rules.hpp>
 #include <tests/support/scene_fixture.hpp>
 
-/// johnson_cook and equation_of_state of a material.
+/// johnson_cook, johnson_holmquist and equation_of_state of a material.
 namespace pinball::material_laws_scene_test {
 namespace {
 
@@ -26,6 +26,14 @@ class MaterialLawsScene : public SceneTest {
   }
 };
 
+/// Of a brittle material: more lines, and more keys of its law.
+std::string brittle(const std::string& more = "", const std::string& keys = "") {
+  return more +
+         "\njohnson_holmquist = { intact_strength = 0.93, intact_exponent = 0.6, tensile_strength = 2e8, "
+         "elastic_limit = 2.79e9, elastic_limit_pressure = 1.46e9" +
+         keys + " }";
+}
+
 constexpr const char* copper = "equation_of_state = { sound_speed = 3940.0, slopes = [1.489, 0, 0], gamma = 2.0 }";
 
 TEST_F(MaterialLawsScene, ReadsJohnsonAndCook) {
@@ -43,6 +51,33 @@ TEST_F(MaterialLawsScene, ReadsJohnsonAndCook) {
   EXPECT_EQ(m.yield_stress, 4e8);
   EXPECT_TRUE(erodes(m));
   EXPECT_FALSE(m.equation_of_state);
+}
+
+TEST_F(MaterialLawsScene, ReadsWhatIsBrittle) {
+  const auto problem = [&](const std::string& more, const std::string& keys = "") {
+    return error(with(10, brittle(more, keys)));
+  };
+  const Material m = read(with(10, brittle("", ", bulking = 1.0, erodes = true"))).materials.at(0);
+  EXPECT_EQ(*m.johnson_holmquist,
+            (JohnsonHolmquistSettings{0.93, 0.6, 0, 1, 0, 0, 0, 2e8, 2.79e9, 1.46e9, 0, 1, 0, 0, 1, true}));
+  EXPECT_TRUE(erodes(m));
+  EXPECT_FALSE(erodes(read(with(10, brittle())).materials.at(0)));
+  EXPECT_FALSE(has_yield_stress(m));
+  for (const char* other :
+       {"yield_stress = 1e9", "plastic_modulus = 1e9", "ultimate_stress = 1e9", "isotropic_share = 0.5",
+        "rate_constant = 40\nrate_exponent = 5", "power_hardening = { coefficient = 1e9, exponent = 0.2 }",
+        "johnson_cook = {}", "fluid = {}"})
+    EXPECT_THAT(problem(other), HasSubstr("expected none beside")) << other;
+  EXPECT_THAT(problem("strain_rate = \"plastic\"", ", rate_coefficient = 0.01, reference_rate = 1.0"),
+              HasSubstr("expected \"total\" or \"deviatoric\" beside johnson_holmquist"));
+  EXPECT_THAT(problem("", ", rate_coefficient = 0.01"),
+              HasSubstr("johnson_holmquist.reference_rate: expected a number > 0 beside rate_coefficient"));
+  EXPECT_THAT(problem("", ", quadratic_modulus = -9e11"), HasSubstr("that rises up to mu = 0.2"));
+  EXPECT_THAT(problem("", ", cubic_modulus = -9e12"),
+              HasSubstr("johnson_holmquist.cubic_modulus: expected a pressure"));
+  EXPECT_THAT(problem("erosion = { tension = 2e8 }"),
+              HasSubstr("expected a number < johnson_holmquist.tensile_strength = 200000000, beyond which"));
+  EXPECT_EQ(problem("erosion = { tension = 1.9e8 }"), "no error");
 }
 
 TEST_F(MaterialLawsScene, ReadsEquationsOfState) {
@@ -91,6 +126,8 @@ TEST_F(MaterialLawsScene, ReadsFluids) {
   EXPECT_DOUBLE_EQ(m.bulk_modulus, m.density * 3940 * 3940);
   EXPECT_THAT(error(fluid(water + copper + "\nyield_stress = 1e6")),
               HasSubstr("yield_stress: expected none beside fluid"));
+  EXPECT_THAT(error(fluid(water + copper + "\npower_hardening = { coefficient = 1e9, exponent = 0.2 }")),
+              HasSubstr("power_hardening: expected none beside fluid"));
   EXPECT_THAT(error(fluid(water + copper + "\nshear_modulus = 1e6")), HasSubstr("shear_modulus: "));
   EXPECT_THAT(error(fluid("fluid = { viscosity = -1 }\n" + std::string(copper))), HasSubstr("fluid.viscosity"));
   EXPECT_THAT(error(with(10, water + "yield_stress = 4e8")), HasSubstr("fluid"));

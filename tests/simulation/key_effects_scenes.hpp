@@ -33,7 +33,13 @@ inline std::string one(const std::string& material_keys, const std::string& more
          body("a", "m",
               "velocity_gradient = [[0.9, 0.1, 0.0], [0.0, -0.2, 0.3], [0.0, 0.0, -0.5]]\nvelocity_noise = 0.1\n");
 }
-/// The same, and what acts on it.
+/// The same, but pressed together.
+inline std::string pressed(const std::string& material_keys) {
+  return top + material("m", material_keys) +
+         body("a", "m",
+              "velocity_gradient = [[-0.2, 0.4, 0.0], [0.0, -0.1, 0.2], [0.0, 0.0, -0.2]]\nvelocity_noise = 0.1\n");
+}
+/// The stretched one, and what acts on it.
 inline std::string acted_on(const std::string& tables) {
   return one(yields) + body("b", "m", "position = [0, 0, 3]\n") + tables;
 }
@@ -74,6 +80,12 @@ inline std::map<std::string, std::string> key_effects_scenes() {
        one(yields + "[material.johnson_cook]\nhardening_coefficient = 1.0\nhardening_exponent = 0.3\n"
                     "rate_coefficient = 0.01\nreference_rate = 0.1\nmelting_temperature = 1500.0\n"
                     "room_temperature = 300.0\nspecific_heat = 0.001\nfailure = [0.9, 0.2, -1.5, 0.01, 0.5]\n")},
+      {"Johnson and Holmquist",
+       pressed("model = \"von_mises\"\n" + moduli +
+               "[material.johnson_holmquist]\nintact_strength = 0.9\nintact_exponent = 0.6\nfractured_strength = 0.3\n"
+               "fractured_exponent = 0.7\nmost_fractured = 0.5\nrate_coefficient = 0.01\nreference_rate = 0.1\n"
+               "tensile_strength = 0.2\nelastic_limit = 3.0\nelastic_limit_pressure = 1.4\ndamage_coefficient = 0.05\n"
+               "damage_exponent = 0.9\nquadratic_modulus = 10.0\ncubic_modulus = 20.0\nbulking = 0.9\n")},
       {"A of Johnson and Cook alone", one(yields + "[material.johnson_cook]\n")},
       {"shock", one(law + "[material.equation_of_state]\nform = \"mie_grueneisen\"\nsound_speed = 3.0\n"
                           "slopes = [1.4, 0.1, 0.0]\ngamma = 2.0\n")},

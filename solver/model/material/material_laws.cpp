@@ -13,25 +13,59 @@
 
 namespace pinball {
 
+namespace {
+
+/// A number of a scene as one of the kernels.
+template <class S>
+constexpr auto to = [](double given) { return static_cast<S>(given); };
+
+}  // namespace
+
 template <class S>
 JohnsonCookConstants<S> johnson_cook_constants(const Material& material) {
   JohnsonCookConstants<S> law;
   if (!material.johnson_cook) return law;
   const JohnsonCookSettings& given = *material.johnson_cook;
   law.used = true;
-  law.hardening = static_cast<S>(given.hardening_coefficient);
-  law.exponent = static_cast<S>(given.hardening_exponent);
-  law.rate_sensitivity = static_cast<S>(given.rate_coefficient);
-  law.inverse_rate = static_cast<S>(given.reference_rate > 0 ? 1 / given.reference_rate : 0);
+  law.hardening = to<S>(given.hardening_coefficient);
+  law.exponent = to<S>(given.hardening_exponent);
+  law.rate_sensitivity = to<S>(given.rate_coefficient);
+  law.inverse_rate = to<S>(given.reference_rate > 0 ? 1 / given.reference_rate : 0);
   if (given.melting_temperature > 0) {
-    law.inverse_melting = static_cast<S>(1 / (given.melting_temperature - given.room_temperature));
+    law.inverse_melting = to<S>(1 / (given.melting_temperature - given.room_temperature));
   }
-  law.softening_exponent = static_cast<S>(given.softening_exponent);
-  law.heating = static_cast<S>(given.specific_heat > 0 ? given.heat_share / given.specific_heat : 0);
+  law.softening_exponent = to<S>(given.softening_exponent);
+  law.heating = to<S>(given.specific_heat > 0 ? given.heat_share / given.specific_heat : 0);
   law.measure = strain_rate_measure(material.strain_rate);
-  std::transform(given.failure.begin(), given.failure.end(), law.failure,
-                 [](double one) { return static_cast<S>(one); });
-  law.weakening = static_cast<S>(given.damage_weakening);
+  std::transform(given.failure.begin(), given.failure.end(), law.failure, to<S>);
+  law.weakening = to<S>(given.damage_weakening);
+  return law;
+}
+
+template <class S>
+JohnsonHolmquistConstants<S> brittle_constants(const Material& material) {
+  JohnsonHolmquistConstants<S> law;
+  if (!material.johnson_holmquist) return law;
+  const JohnsonHolmquistSettings& given = *material.johnson_holmquist;
+  law.used = true;
+  law.intact = to<S>(given.intact_strength);
+  law.intact_exponent = to<S>(given.intact_exponent);
+  law.fractured = to<S>(given.fractured_strength);
+  law.fractured_exponent = to<S>(given.fractured_exponent);
+  if (given.most_fractured > 0) law.most_fractured = to<S>(given.most_fractured);
+  law.rate_sensitivity = to<S>(given.rate_coefficient);
+  law.inverse_rate = to<S>(given.reference_rate > 0 ? 1 / given.reference_rate : 0);
+  law.measure = strain_rate_measure(material.strain_rate);
+  law.tension = to<S>(given.tensile_strength);
+  law.inverse_pressure = to<S>(1 / given.elastic_limit_pressure);
+  law.stress = to<S>(1.5 * (given.elastic_limit - given.elastic_limit_pressure));
+  law.failure = to<S>(given.damage_coefficient);
+  law.failure_exponent = to<S>(given.damage_exponent);
+  law.modulus[0] = to<S>(material.bulk_modulus);
+  law.modulus[1] = to<S>(given.quadratic_modulus);
+  law.modulus[2] = to<S>(given.cubic_modulus);
+  law.bulking = to<S>(given.bulking);
+  law.erodes = given.erodes;
   return law;
 }
 
@@ -40,7 +74,7 @@ MooneyRivlinConstants<S> rubber_constants(const Material& material) {
   if (!material.mooney_rivlin || material.plastic) return {};
   const auto& [a, b, nu] = *material.mooney_rivlin;
   const double c = a / 2 + b, d = (a * (5 * nu - 2) + b * (11 * nu - 5)) / (2 * (1 - 2 * nu));
-  return {true, static_cast<S>(a), static_cast<S>(b), static_cast<S>(c), static_cast<S>(d)};
+  return {true, to<S>(a), to<S>(b), to<S>(c), to<S>(d)};
 }
 
 namespace {
@@ -71,18 +105,18 @@ OrthotropicConstants<S> orthotropic_constants(const Material& material) {
   law.used = true;
   int k = 0;
   for (std::size_t i = 0; i < 6; ++i) {
-    for (std::size_t j = i; j < 6; ++j) law.moduli[k++] = static_cast<S>(moduli[i][j]);
+    for (std::size_t j = i; j < 6; ++j) law.moduli[k++] = to<S>(moduli[i][j]);
   }
   const auto [lambda, mu] = stiffest_moduli(moduli_along_axes(*material.orthotropic));
-  law.lambda = static_cast<S>(lambda);
-  law.mu = static_cast<S>(mu);
+  law.lambda = to<S>(lambda);
+  law.mu = to<S>(mu);
   return law;
 }
 
 template <class S>
 FluidConstants<S> fluid_constants(const Material& material) {
   if (!material.fluid) return {};
-  return {true, static_cast<S>(material.fluid->viscosity)};
+  return {true, to<S>(material.fluid->viscosity)};
 }
 
 template <class S>
@@ -90,31 +124,29 @@ EquationOfState<S> pressure_constants(const Material& material) {
   EquationOfState<S> eos;
   if (!material.equation_of_state) return eos;
   const EquationOfStateSettings& given = *material.equation_of_state;
-  eos.tension_limit =
-      given.tension_limit > 0 ? static_cast<S>(given.tension_limit) : std::numeric_limits<S>::infinity();
+  eos.tension_limit = given.tension_limit > 0 ? to<S>(given.tension_limit) : std::numeric_limits<S>::infinity();
   if (given.form == EquationOfStateForm::polynomial) {
     eos.law = PressureLaw::polynomial;
-    std::transform(given.coefficients.begin(), given.coefficients.end(), eos.polynomial,
-                   [](double one) { return static_cast<S>(one); });
+    std::transform(given.coefficients.begin(), given.coefficients.end(), eos.polynomial, to<S>);
     return eos;
   }
   if (given.form == EquationOfStateForm::tabulated) {
     eos.law = PressureLaw::tabulated;
     for (const TablePiece& piece : pieces_of_table(given)) {
       const int k = eos.pieces++;
-      eos.strain[k] = static_cast<S>(piece.strain);
-      eos.cold[k] = static_cast<S>(piece.cold);
-      eos.cold_rise[k] = static_cast<S>(piece.cold_rise);
-      eos.thermal[k] = static_cast<S>(piece.thermal);
-      eos.thermal_rise[k] = static_cast<S>(piece.thermal_rise);
+      eos.strain[k] = to<S>(piece.strain);
+      eos.cold[k] = to<S>(piece.cold);
+      eos.cold_rise[k] = to<S>(piece.cold_rise);
+      eos.thermal[k] = to<S>(piece.thermal);
+      eos.thermal_rise[k] = to<S>(piece.thermal_rise);
     }
     return eos;
   }
   eos.law = PressureLaw::mie_grueneisen;
-  eos.modulus = static_cast<S>(material.density * given.sound_speed * given.sound_speed);
-  std::transform(given.slopes.begin(), given.slopes.end(), eos.slope, [](double one) { return static_cast<S>(one); });
-  eos.gamma = static_cast<S>(given.gamma);
-  eos.gamma_slope = static_cast<S>(given.gamma_slope);
+  eos.modulus = to<S>(material.density * given.sound_speed * given.sound_speed);
+  std::transform(given.slopes.begin(), given.slopes.end(), eos.slope, to<S>);
+  eos.gamma = to<S>(given.gamma);
+  eos.gamma_slope = to<S>(given.gamma_slope);
   return eos;
 }
 
@@ -124,7 +156,7 @@ FailureLimits<S> failure_limits(const Material& material, double smallest_step_a
   if (!material.erosion) return limits;
   const ErosionSettings& given = *material.erosion;
   const auto set = [](S& limit, double value) {
-    if (value > 0) limit = static_cast<S>(value);
+    if (value > 0) limit = to<S>(value);
   };
   limits.any = true;
   set(limits.tension, given.tension);
@@ -156,12 +188,18 @@ MaterialPlaces material_places(const Material& material) {
     if (!law->failure.empty()) keep(places.damage, 1);
     if (!law->failure.empty() && law->damage_weakening > 0) keep(places.hardening, 1);
   }
+  if (material.johnson_holmquist) {
+    keep(places.damage, 1);
+    keep(places.bulking, 1);
+  }
   if (material.equation_of_state) keep(places.energy, 1);
   return places;
 }
 
 template JohnsonCookConstants<double> johnson_cook_constants<double>(const Material&);
 template JohnsonCookConstants<float> johnson_cook_constants<float>(const Material&);
+template JohnsonHolmquistConstants<double> brittle_constants<double>(const Material&);
+template JohnsonHolmquistConstants<float> brittle_constants<float>(const Material&);
 template MooneyRivlinConstants<double> rubber_constants<double>(const Material&);
 template MooneyRivlinConstants<float> rubber_constants<float>(const Material&);
 template OrthotropicConstants<double> orthotropic_constants<double>(const Material&);

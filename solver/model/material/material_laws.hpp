@@ -9,6 +9,10 @@ namespace pinball {
 template <class S>
 JohnsonCookConstants<S> johnson_cook_constants(const Material& material);
 
+/// Johnson and Holmquist's, the same.
+template <class S>
+JohnsonHolmquistConstants<S> brittle_constants(const Material& material);
+
 /// None used of a material that is none, here and below.
 template <class S>
 MooneyRivlinConstants<S> rubber_constants(const Material& material);

@@ -72,6 +72,23 @@ void print_johnson_cook(const Material& m, const Units& units) {
   fmt::print("\n");
 }
 
+void print_johnson_holmquist(const Material& m, const Units& units) {
+  const JohnsonHolmquistSettings& law = *m.johnson_holmquist;
+  fmt::print("    Johnson-Holmquist: intact A {:.4g}, N {:.4g}; fractured B {:.4g}, M {:.4g}", law.intact_strength,
+             law.intact_exponent, law.fractured_strength, law.fractured_exponent);
+  if (law.most_fractured > 0) fmt::print(", at most {:.4g}", law.most_fractured);
+  if (law.rate_coefficient > 0) {
+    fmt::print("; C {:.4g} above the rate {:.6g} of the {}", law.rate_coefficient, law.reference_rate,
+               rate_name(m.strain_rate));
+  }
+  fmt::print("\n    Hugoniot elastic limit {}, pressure there {}, tensile strength {}\n",
+             with_unit(law.elastic_limit, units.stress), with_unit(law.elastic_limit_pressure, units.stress),
+             with_unit(law.tensile_strength, units.stress));
+  fmt::print("    damage: D1 {:.6g}, D2 {:.6g}; pressure: K2 {}, K3 {}, bulking {:.4g}\n", law.damage_coefficient,
+             law.damage_exponent, with_unit(law.quadratic_modulus, units.stress),
+             with_unit(law.cubic_modulus, units.stress), law.bulking);
+}
+
 void print_equation_of_state(const EquationOfStateSettings& eos, const Units& units) {
   if (eos.form == EquationOfStateForm::polynomial) {
     fmt::print("    equation of state: polynomial, c1 {}", with_unit(eos.coefficients[1], units.stress));
@@ -98,7 +115,9 @@ void print_hardening(const Material& m, const Units& units) {
     fmt::print("    fluid: viscosity {:.6g}, no strength\n", m.fluid->viscosity);
     return;
   }
-  if (m.johnson_cook) {
+  if (m.johnson_holmquist) {
+    print_johnson_holmquist(m, units);
+  } else if (m.johnson_cook) {
     print_johnson_cook(m, units);
   } else if (m.power_hardening) {
     print_power(m, units);

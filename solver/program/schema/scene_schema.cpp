@@ -79,24 +79,39 @@ void define(SchemaJson& all, const SchemaJson& rule = {}, const SchemaJson& anot
   all[kind(schema::Of<T>{}).name] = std::move(table);
 }
 
-template <class... T>
-void define_each(SchemaJson& all, schema::Types<T...> /*tables*/) {
-  (define<T>(all), ...);
+/// A table of a material, without what it requires, which goes to `required`.
+template <class T>
+void define_table_of_material(SchemaJson& all, SchemaJson& required) {
+  SchemaJson table = table_schema<T>();
+  const char* const name = kind(schema::Of<T>{}).name;
+  if (table.contains("required")) {
+    for (const std::string key : table["required"]) table["properties"][key]["x-default"] = "required";
+    required[name] = {{"required", table["required"]}};
+    table.erase("required");
+  }
+  all[name] = std::move(table);
 }
 
-/// What is required, but where a published material gives it.
-SchemaJson material_schema() {
+template <class... T>
+SchemaJson define_tables_of_material(SchemaJson& all, schema::Types<T...> /*tables*/) {
+  SchemaJson required = SchemaJson::object();
+  (define_table_of_material<T>(all, required), ...);
+  return required;
+}
+
+/// What is required, but where a published material gives it. of_tables: what the tables in it require.
+SchemaJson material_schema(const SchemaJson& of_tables) {
   SchemaJson table = table_schema<Material>();
-  const SchemaJson yield{
-      {"if", where("model", "von_mises")},
-      {"then",
-       {{"anyOf",
-         {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"}), required({"fluid"})}}}}};
+  const SchemaJson yield{{"if", where("model", "von_mises")},
+                         {"then",
+                          {{"anyOf",
+                            {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"}),
+                             required({"fluid"}), required({"johnson_holmquist"})}}}}};
   const SchemaJson moduli{{"oneOf",
                            {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
                             required({"equation_of_state", "shear_modulus"}), required({"mooney_rivlin"}),
                             required({"orthotropic"}), required({"equation_of_state", "fluid"})}}};
-  const SchemaJson all_of_it{{"required", table["required"]}, {"allOf", {moduli, yield}}};
+  const SchemaJson all_of_it{{"required", table["required"]}, {"properties", of_tables}, {"allOf", {moduli, yield}}};
   table["required"] = {"name"};
   table["allOf"] = {{{"if", required({"use"})}, {"then", SchemaJson::object()}, {"else", all_of_it}}};
   return table;
@@ -114,10 +129,12 @@ SchemaJson definitions() {
   define<GuardSettings>(all);
   define<OutputSettings>(all);
   define<DampingSettings>(all);
-  all[kind(schema::Of<Material>{}).name] = material_schema();
+  SchemaJson of_material;
+  all[kind(schema::Of<Material>{}).name] =
+      material_schema(define_tables_of_material(of_material, schema::TablesOfMaterial{}));
   define<schema::OneYieldCurve>(all);
   define<YieldCurve>(all);
-  define_each(all, schema::TablesOfMaterial{});
+  all.update(of_material);
   define<Body>(all);
   all["mesh"] = mesh_definitions(all);
   define<RigidBody>(all);

@@ -47,19 +47,41 @@ std::optional<Problem> problem_of_power(const Material& m) {
                              power.coefficient, strain)};
 }
 
-/// What stands beside a law that has its own hardening and rates, and the part that is wrong in itself.
-std::optional<Problem> problem_of_johnson_cook(const Material& m) {
+/// Hardening or rates beside a law that has its own; none: nullptr.
+const char* other_hardening(const Material& m) {
   const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
-  const char* const other = !m.yield_curves.empty() ? "yield_curves"
-                            : m.plastic_modulus > 0 ? "plastic_modulus"
-                            : ends                  ? "ultimate_stress"
-                            : m.isotropic_share < 1 ? "isotropic_share"
-                            : m.rate_constant > 0   ? "rate_constant"
-                            : m.power_hardening     ? "power_hardening"
-                                                    : nullptr;
+  return !m.yield_curves.empty() ? "yield_curves"
+         : m.plastic_modulus > 0 ? "plastic_modulus"
+         : ends                  ? "ultimate_stress"
+         : m.isotropic_share < 1 ? "isotropic_share"
+         : m.rate_constant > 0   ? "rate_constant"
+         : m.power_hardening     ? "power_hardening"
+                                 : nullptr;
+}
+
+/// What stands beside such a law, and the part that is wrong in itself.
+std::optional<Problem> problem_of_johnson_cook(const Material& m) {
+  const char* const other = other_hardening(m);
   if (other != nullptr) return Problem{other, "expected none beside johnson_cook"};
   if (const auto problem = problem_of(*m.johnson_cook)) {
     return Problem{fmt::format("johnson_cook.{}", problem->key), problem->text};
+  }
+  return {};
+}
+
+/// The same of a brittle one.
+std::optional<Problem> problem_of_johnson_holmquist(const Material& m) {
+  const char* const other = m.yield_stress > 0    ? "yield_stress"
+                            : m.johnson_cook      ? "johnson_cook"
+                            : m.fluid             ? "fluid"
+                            : m.equation_of_state ? "equation_of_state"
+                                                  : other_hardening(m);
+  if (other != nullptr) return Problem{other, "expected none beside johnson_holmquist"};
+  if (m.strain_rate == StrainRate::plastic) {
+    return Problem{"strain_rate", "expected \"total\" or \"deviatoric\" beside johnson_holmquist"};
+  }
+  if (const auto problem = problem_of(*m.johnson_holmquist, m.bulk_modulus)) {
+    return Problem{fmt::format("johnson_holmquist.{}", problem->key), problem->text};
   }
   return {};
 }
@@ -93,12 +115,16 @@ std::optional<Problem> problem_of_erosion(const Material& m) {
   if (const auto problem = problem_of(*m.erosion)) {
     return Problem{fmt::format("erosion.{}", problem->key), problem->text};
   }
+  const auto beyond = [&](const char* key, double limit) {
+    return Problem{"erosion.tension",
+                   fmt::format("expected a number < {} = {}, beyond which there is no tension, got {}", key, limit,
+                               m.erosion->tension)};
+  };
   const double limit = m.equation_of_state ? m.equation_of_state->tension_limit : 0;
-  if (limit > 0 && m.erosion->tension >= limit) {
-    return Problem{"erosion.tension", fmt::format("expected a number < equation_of_state.tension_limit = {}, beyond "
-                                                  "which there is no tension, got {}",
-                                                  limit, m.erosion->tension)};
-  }
+  if (limit > 0 && m.erosion->tension >= limit) return beyond("equation_of_state.tension_limit", limit);
+  if (const auto& law = m.johnson_holmquist;
+      law && m.erosion->tension > 0 && m.erosion->tension >= law->tensile_strength)
+    return beyond("johnson_holmquist.tensile_strength", law->tensile_strength);
   return {};
 }
 
@@ -153,6 +179,13 @@ std::optional<Problem> problem_of(const Material& material) {
     if (const auto problem = problem_of_curve(material, c)) return problem;
   }
   if (const auto problem = problem_of_rates(material)) return problem;
+  // Without a yield stress, before what begins at one.
+  if (material.fluid) {
+    if (const auto problem = problem_of_fluid(material)) return problem;
+  }
+  if (material.johnson_holmquist) {
+    if (const auto problem = problem_of_johnson_holmquist(material)) return problem;
+  }
   if (material.power_hardening) {
     if (const auto problem = problem_of_power(material)) return problem;
   }
@@ -164,9 +197,6 @@ std::optional<Problem> problem_of(const Material& material) {
     if (const auto problem = problem_of(*material.orthotropic)) {
       return Problem{fmt::format("orthotropic.{}", problem->key), problem->text};
     }
-  }
-  if (material.fluid) {
-    if (const auto problem = problem_of_fluid(material)) return problem;
   }
   if (material.johnson_cook) {
     if (const auto problem = problem_of_johnson_cook(material)) return problem;
@@ -195,9 +225,13 @@ std::optional<Problem> problem_of(const Body& body, const Scene& scene) {
                              material->name)};
 }
 
+bool erodes_by_damage(const Material& m) {
+  return (m.johnson_cook && !m.johnson_cook->failure.empty()) || (m.johnson_holmquist && m.johnson_holmquist->erodes);
+}
+
 bool erodes(const Material& m) {
   if (m.erosion) return true;
-  return m.plastic && (m.erosion_strain > 0 || (m.johnson_cook && !m.johnson_cook->failure.empty()));
+  return m.plastic && (m.erosion_strain > 0 || erodes_by_damage(m));
 }
 
 std::optional<Problem> problem_of(const YieldCurve& curve) {

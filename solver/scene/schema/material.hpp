@@ -36,8 +36,9 @@ constexpr void describe(Of<OneYieldCurve>, Visit&& visit) {
 }
 
 /// The tables that a material may have in it.
-using TablesOfMaterial = Types<PowerHardeningSettings, JohnsonCookSettings, MooneyRivlinSettings, OrthotropicSettings,
-                               FluidSettings, EquationOfStateSettings, ErosionSettings>;
+using TablesOfMaterial =
+    Types<PowerHardeningSettings, JohnsonCookSettings, JohnsonHolmquistSettings, MooneyRivlinSettings,
+          OrthotropicSettings, FluidSettings, EquationOfStateSettings, ErosionSettings>;
 template <class Part>
 requires is_one_of<Part, TablesOfMaterial>
 struct IsInnerTable<Part> : std::true_type {
@@ -97,6 +98,54 @@ constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
             "w: part of the strength that is lost by then, in proportion to the damage",
             {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}}
             .idle_where([](const T& law, const Scene&) { return law.failure.empty(); }, "without failure"));
+}
+
+template <class Visit>
+constexpr void describe(Of<JohnsonHolmquistSettings>, Visit&& visit) {
+  using T = JohnsonHolmquistSettings;
+  visit(Key{"intact_strength", &T::intact_strength, "A", {.unit = "-", .bound = positive, .need = Need::required}});
+  visit(Key{"intact_exponent", &T::intact_exponent, "N", {.unit = "-", .bound = not_negative, .need = Need::required}});
+  visit(Key{"fractured_strength", &T::fractured_strength, "B", {.unit = "-", .bound = not_negative}});
+  const auto no_fragments = [](const T& law, const Scene&) { return law.fractured_strength == 0; };
+  visit(Key{"fractured_exponent", &T::fractured_exponent, "M", {.unit = "-", .bound = not_negative}}.idle_where(
+      no_fragments, "without fractured_strength"));
+  visit(Key{"most_fractured",
+            &T::most_fractured,
+            "F, of the strength of fragments; 0: no such limit",
+            {.unit = "-", .bound = not_negative}}
+            .idle_where(no_fragments, "without fractured_strength"));
+  visit(Key{"rate_coefficient", &T::rate_coefficient, "C", {.unit = "-", .bound = not_negative}});
+  visit(Key{"reference_rate",
+            &T::reference_rate,
+            "above which strength grows with the rate; > 0 beside `rate_coefficient`",
+            {.unit = "1/T", .bound = not_negative}}
+            .idle_where([](const T& law, const Scene&) { return law.rate_coefficient == 0; },
+                        "without rate_coefficient"));
+  visit(Key{"tensile_strength",
+            &T::tensile_strength,
+            "of the mean stress",
+            {.unit = "M/(L T^2)", .bound = not_negative, .need = Need::required}});
+  visit(Key{"elastic_limit",
+            &T::elastic_limit,
+            "HEL, Hugoniot elastic limit: stress along a shock",
+            {.unit = "M/(L T^2)", .bound = positive, .need = Need::required}});
+  visit(Key{"elastic_limit_pressure",
+            &T::elastic_limit_pressure,
+            "p_H, the pressure there, < `elastic_limit`",
+            {.unit = "M/(L T^2)", .bound = positive, .need = Need::required}});
+  visit(Key{"damage_coefficient",
+            &T::damage_coefficient,
+            "D_1; 0: it breaks where it yields",
+            {.unit = "-", .bound = not_negative}});
+  visit(Key{"damage_exponent", &T::damage_exponent, "D_2", {.unit = "-", .bound = not_negative}}.idle_where(
+      [](const T& law, const Scene&) { return law.damage_coefficient == 0; }, "without damage_coefficient"));
+  visit(Key{"quadratic_modulus", &T::quadratic_modulus, "K_2, of the pressure", {.unit = "M/(L T^2)"}});
+  visit(Key{"cubic_modulus", &T::cubic_modulus, "K_3", {.unit = "M/(L T^2)"}});
+  visit(Key{"bulking",
+            &T::bulking,
+            "beta: part of the elastic energy set free by damage that presses fragments apart",
+            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}});
+  visit(Key{"erodes", &T::erodes, "whether an element whose damage reaches 1 is eroded"});
 }
 
 template <class Visit>
@@ -225,7 +274,8 @@ inline bool of_rigid_bodies(const Material& material, const Scene& scene) {
 inline bool no_rates(const Material& material, const Scene&) {
   const auto& law = material.johnson_cook;
   const bool rates_of_law = law && (law->rate_coefficient > 0 || (law->failure.size() > 3 && law->failure[3] != 0));
-  return !(material.rate_constant > 0) && material.yield_curves.size() < 2 && !rates_of_law;
+  const bool brittle_rates = material.johnson_holmquist && material.johnson_holmquist->rate_coefficient > 0;
+  return !(material.rate_constant > 0) && material.yield_curves.size() < 2 && !rates_of_law && !brittle_rates;
 }
 
 template <class Visit>
@@ -236,7 +286,6 @@ constexpr void describe(Of<Material>, Visit&& visit) {
   };
   const auto plastic = [](const Material& material) { return material.plastic; };
   const auto solid = [](const Material& material) { return !material.fluid; };
-  const auto yields = [](const Material& material) { return material.plastic && !material.fluid; };
   visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed = Listed::never}});
   visit(FileKey<std::string>{"use",
                              "name of a published material of `data/materials`, which gives what is not given here, in "
@@ -282,7 +331,7 @@ constexpr void describe(Of<Material>, Visit&& visit) {
              .need = Need::one_of,
              .unset = Unset::zero,
              .otherwise = "required for `\"von_mises\"`"}}
-            .only_where(yields));
+            .only_where(has_yield_stress));
   where_it_deforms(Key{"plastic_modulus",
                        &T::plastic_modulus,
                        "H, slope of the yield stress over the effective plastic strain",
@@ -349,6 +398,13 @@ constexpr void describe(Of<Material>, Visit&& visit) {
       "johnson_cook",
       &T::johnson_cook,
       "table (below), in the place of the laws of hardening and rate above; `yield_stress` is its A",
+      {.otherwise =
+           "none"}}.only_where(plastic));
+  where_it_deforms(Key{
+      "johnson_holmquist",
+      &T::johnson_holmquist,
+      "table (below), in the place of `yield_stress` and the laws above: ceramics, glass and rock, "
+      "whose strength grows with the pressure; `bulk_modulus` is its K_1",
       {.otherwise =
            "none"}}.only_where(plastic));
   visit(Key{

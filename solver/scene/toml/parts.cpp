@@ -97,7 +97,7 @@ Material read_material(const SceneTable& table) {
   read_keys(table, material);
   read_moduli(table, material);
   read_yield_curves(table, material);
-  if (material.plastic && !material.fluid && material.yield_curves.empty() && !table.has("yield_stress")) {
+  if (has_yield_stress(material) && material.yield_curves.empty() && !table.has("yield_stress")) {
     table.fail_missing("yield_stress", schema::about<Material>("yield_stress").bound.describe());
   }
   complete(material);
