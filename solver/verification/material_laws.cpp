@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -100,6 +101,21 @@ struct JohnsonCookShear {
   }
 };
 
+/// Yield stress after Johnson and Holmquist at the logarithmic strain -k along z, at one rate, where nothing or all is
+/// broken, without bulking.
+double brittle_strength(const Material& m, double k, double speed, bool broken) {
+  const JohnsonHolmquistSettings& law = *m.johnson_holmquist;
+  const double mu = std::expm1(k);
+  const double over =
+      mu * (m.bulk_modulus + mu * (law.quadratic_modulus + mu * law.cubic_modulus)) / law.elastic_limit_pressure;
+  const double factor = 1 + law.rate_coefficient * std::log(2.0 / 3 * speed / law.reference_rate);
+  const double intact = factor * law.intact_strength *
+                        std::pow(over + law.tensile_strength / law.elastic_limit_pressure, law.intact_exponent);
+  const double fragments =
+      std::min(law.most_fractured, factor * law.fractured_strength * std::pow(over, law.fractured_exponent));
+  return 1.5 * (law.elastic_limit - law.elastic_limit_pressure) * (broken ? fragments : intact);
+}
+
 /// Bodies of the scene by their names, which have an element each and a material of the same name.
 class Bodies {
  public:
@@ -162,9 +178,17 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
     const std::array<double, 6> s = stress_of(solver, bodies.number(name));
     return s[0] - s[1];
   };
+  const auto compared = [](const char* name, double found, double exact, double tolerance, const char* source) {
+    return compare(fmt::format("difference of principal stresses at the end [Pa], {}", name), found, exact, tolerance,
+                   source);
+  };
   const auto row = [&](const char* name, double exact, double tolerance, const char* source) {
-    return compare(fmt::format("difference of principal stresses at the end [Pa], {}", name), difference(name), exact,
-                   tolerance, source);
+    return compared(name, difference(name), exact, tolerance, source);
+  };
+  const auto brittle = [&](const char* name, bool broken) {
+    const std::array<double, 6> s = stress_of(solver, bodies.number(name));
+    return compared(name, s[0] - s[2], brittle_strength(bodies.material(name), k, speed, broken), of_increments,
+                    "strength of the pressure at the end");
   };
   const Material &power = bodies.material("power"), &rubber = bodies.material("mooney_rivlin"),
                  &fluid = bodies.material("fluid"), &copper = bodies.material("johnson_cook");
@@ -192,6 +216,8 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
       row("mooney_rivlin", drawn, 1e-11, "closed form in the deformation gradient"),
       row("orthotropic", orthotropic_shear(*bodies.material("orthotropic").orthotropic, k), 1e-11,
           "F (C : E) F^T, by the compliance"),
+      brittle("brittle_intact", false),
+      brittle("brittle_fragments", true),
       row("fluid", 4 * fluid.fluid->viscosity * speed, of_increments, "2 eta D"),
   };
 }
