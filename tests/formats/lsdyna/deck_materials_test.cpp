@@ -213,6 +213,29 @@ TEST_F(DeckMaterials, ReadsSimplifiedJohnsonAndCook) {
   EXPECT_THAT(error(with("", "792.,,,,,,900.")), HasSubstr("SIGSAT"));
 }
 
+TEST_F(DeckMaterials, ReadsWhatIsBrittle) {
+  const auto with = [](const std::string& third, const std::string& b = "0.31", const std::string& name = "110") {
+    return cube + ends + "*MAT_" + name + "\n1,3.7E-9,90160.,0.93," + b +
+           ",0.01,0.5,0.6\n2.,200.,0.4,2790.,1460.,0.9\n" + third + "\n";
+  };
+  const Material m = material(with("0.005,1.1,130950.,100.,200.,1.5"));
+  ASSERT_TRUE(m.johnson_holmquist && m.plastic);
+  EXPECT_EQ(*m.johnson_holmquist, (JohnsonHolmquistSettings{0.93, 0.6, 0.31, 0.5, 0.4, 0.01, 2, 200, 2790, 1460, 0.005,
+                                                            1.1, 100, 200, 0.9, false}));
+  EXPECT_EQ(m.bulk_modulus, 130950);
+  EXPECT_EQ(m.shear_modulus, 90160);
+  EXPECT_EQ(m.erosion_strain, 1.5);
+  EXPECT_EQ(m.strain_rate, StrainRate::deviatoric);
+  EXPECT_EQ(
+      *material(with("0.005,1.1,130950.", "0.31", "JOHNSON_HOLMQUIST_CERAMICS")).johnson_holmquist,
+      (JohnsonHolmquistSettings{0.93, 0.6, 0.31, 0.5, 0.4, 0.01, 2, 200, 2790, 1460, 0.005, 1.1, 0, 0, 0.9, false}));
+  EXPECT_THAT(told(with("0.,1.1,130950.", "0.")),
+              AllOf(Contains(HasSubstr("CERAMICS: M")), Contains(HasSubstr("CERAMICS: SFMAX")),
+                    Contains(HasSubstr("CERAMICS: D2"))));
+  EXPECT_THAT(error(with("0.005,1.,130950.,,,-1.")), HasSubstr("with FS < 0"));
+  EXPECT_THAT(error(with("0.005,1.,130950.,-9E5")), HasSubstr("expected a pressure"));
+}
+
 /// Two parts of 4340 steel with an equation of state, in t, mm, s.
 std::string steel(const std::string& equation, const std::string& failure = "0.05,3.44,-2.12,0.002") {
   std::string deck = cube;

@@ -113,6 +113,25 @@ TEST_F(RadiossDifferences, OgdensEnergyIsDoneWhereItIsMooneysAndRivlins) {
   EXPECT_THAT(error(rubber(twenty({3, 4}), twenty({2, -2}))), HasSubstr("Mu_1"));
 }
 
+TEST_F(RadiossDifferences, ABrittleMaterialErodesAsItsIdelSays) {
+  const auto brittle = [](const std::string& erosion, double b = 0.31) {
+    return radioss_begin + "/MAT/LAW79/1\nceramic\n" + twenty({3.7e-9}) + twenty({90160}) +
+           twenty({0.93, b, 0.5, 0.6}) + twenty({0.01, 2, 0.4}) + twenty({200, 2790, 1460}) +
+           "               0.005                 1.1          " + erosion + "\n" + twenty({130950, 100, 200, 0.9}) +
+           radioss_property + radioss_cube;
+  };
+  JohnsonHolmquistSettings expected{0.93, 0.6,  0.31,  0.5, 0.4, 0.01, 2,   200,
+                                    2790, 1460, 0.005, 1.1, 100, 200,  0.9, false};
+  const Material lasting = scene(brittle("         0")).materials.at(0);
+  EXPECT_EQ(*lasting.johnson_holmquist, expected);
+  EXPECT_EQ(lasting.bulk_modulus, 130950);
+  EXPECT_EQ(lasting.erosion_strain, 0);
+  EXPECT_EQ(scene(brittle("         2                 1.5")).materials.at(0).erosion_strain, 1.5);
+  expected.erodes = true;
+  EXPECT_EQ(*scene(brittle("         3")).materials.at(0).johnson_holmquist, expected);
+  EXPECT_THAT(error(brittle("         1")), HasSubstr("with IDEL 1"));
+}
+
 /// Its twelve nodes on edges and the seven that it gets; forces on a face are on the eight nodes that the deck has.
 TEST_F(RadiossDifferences, BricksOfTwentyNodesAreEight) {
   const std::string bricks = "/BRIC20/1\n" + ten({"3", "1", "2", "3", "4", "5", "6", "7", "8"}) +

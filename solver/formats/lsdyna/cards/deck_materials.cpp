@@ -39,6 +39,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_JOHNSON_COOK") return layout::johnson_cook;
   if (kind == "MAT_ELASTIC") return layout::elastic;
   if (kind == "MAT_RIGID") return layout::rigid;
+  if (kind == "MAT_JOHNSON_HOLMQUIST_CERAMICS") return layout::johnson_holmquist;
   if (kind == "MAT_NULL") return layout::null;
   if (kind == "MAT_MOONEY-RIVLIN_RUBBER") return layout::mooney_rivlin;
   if (kind == "MAT_ORTHOTROPIC_ELASTIC") return layout::orthotropic;
@@ -378,6 +379,10 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
   }
   if (kind == "MAT_ISOTROPIC_ELASTIC_PLASTIC") {
     set_isotropic_plastic(f, keys);
+    return;
+  }
+  if (kind == "MAT_JOHNSON_HOLMQUIST_CERAMICS") {
+    set_johnson_holmquist(data, f, cards, keys);
     return;
   }
   set_elasticity(f, keys);

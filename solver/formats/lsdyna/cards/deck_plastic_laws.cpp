@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <solver/formats/deck/deck_brittle.hpp>
 #include <solver/formats/lsdyna/layouts/definition_cards.hpp>
 
 namespace pinball {
@@ -41,6 +42,38 @@ void set_simplified_johnson_cook(DeckData& data, const Fields& f, Cards& cards, 
   }
   keys.set("johnson_cook", law.value(), "b, n, c, eps0");
   if (failure > 0 && failure < 1e16) keys.set("erosion_strain", failure, "psfail");
+}
+
+/// The rate is that of the strain's deviator.
+void set_johnson_holmquist(DeckData& data, const Fields& f, Cards& cards, const DeckKeys<Material>& keys) {
+  const Card second = cards.require("EPS0, T, SFMAX, HEL, PHEL and BETA"),
+             third = cards.require("D1, D2, K1, K2 and K3");
+  const Fields l = data.fields(second, layout::johnson_holmquist_limits),
+               d = data.fields(third, layout::johnson_holmquist_damage);
+  keys.set("bulk_modulus", d.number("K1"), "k1");
+  keys.set("shear_modulus", f.number("G"), "g");
+  DeckBrittle law;
+  law.intact = {f.number("A"), f.number("N")};
+  law.fractured = {f.number("B"), f.number("M")};
+  law.most_fractured = l.number("SFMAX");
+  law.rate_coefficient = f.number("C");
+  law.reference_rate = l.number("EPS0");
+  law.tensile_strength = l.number("T");
+  law.limit = l.number("HEL");
+  law.limit_pressure = l.number("PHEL");
+  law.damage = {d.number("D1"), d.number("D2")};
+  law.quadratic = d.number("K2");
+  law.cubic = d.number("K3");
+  law.bulking = l.number("BETA");
+  if (law.rate_coefficient != 0 && !(law.reference_rate > 0)) l.fail("EPS0", "expected more than 0 beside C");
+  if (law.rate_coefficient != 0) keys.set("strain_rate", "deviatoric", "eps0");
+  const std::string name = "*MAT_JOHNSON_HOLMQUIST_CERAMICS";
+  for (const DeckBrittle::WithoutEffect& unused : law.without_effect({"EPS0", "M", "SFMAX", "D2"}))
+    data.report.unused(f.place(), fmt::format("{}: {}", name, unused.field), unused.reason);
+  keys.set("johnson_holmquist", law.keys().value(), "a, b, c, m, n, t, hel, phel, d1, d2");
+  const double failure = d.number("FS");
+  if (failure < 0) data.report.reject(d.place(), name + " with FS < 0", "give 0, or limits of *MAT_ADD_EROSION");
+  if (failure > 0) keys.set("erosion_strain", failure, "fs");
 }
 
 }  // namespace pinball

@@ -9,4 +9,7 @@ void set_isotropic_plastic(const Fields& f, const DeckKeys<Material>& keys);
 /// *MAT_098: f: its first line; cards: the next.
 void set_simplified_johnson_cook(DeckData& data, const Fields& f, Cards& cards, const DeckKeys<Material>& keys);
 
+/// *MAT_110: the same.
+void set_johnson_holmquist(DeckData& data, const Fields& f, Cards& cards, const DeckKeys<Material>& keys);
+
 }  // namespace pinball

@@ -148,6 +148,17 @@ inline constexpr CardLayout johnson_cook_more{number("D5"),
                                               number("K").reported(of_other_rates),
                                               number("D").reported(of_other_rates)};
 
+/// *MAT_110
+inline constexpr CardLayout johnson_holmquist{material_id,          density,     material_stress("G").always(),
+                                              number("A").always(), number("B"), number("C"),
+                                              number("M"),          number("N")};
+inline constexpr CardLayout johnson_holmquist_limits{
+    number("EPS0").of(Dimension::rate), material_stress("T").at_least(0), number("SFMAX").at_least(0),
+    material_stress("HEL").always(),    material_stress("PHEL").always(), number("BETA").from(0, 1)};
+inline constexpr CardLayout johnson_holmquist_damage{number("D1").at_least(0),       number("D2").at_least(0),
+                                                     material_stress("K1").always(), material_stress("K2"),
+                                                     material_stress("K3"),          number("FS")};
+
 /// *MAT_098; what limits its stress is not there.
 inline constexpr std::string_view no_largest_stress = "there is no such limit: leave it blank";
 inline constexpr CardLayout simplified_johnson_cook{material_id, density, young, poisson, whole("VP").from(0, 1)};

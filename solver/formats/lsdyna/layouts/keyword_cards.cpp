@@ -81,6 +81,9 @@ void add_definitions(Table& table) {
   table.push_back({"MAT_ISOTROPIC_ELASTIC_PLASTIC", "", {&l::isotropic_plastic}});
   table.push_back(
       {"MAT_SIMPLIFIED_JOHNSON_COOK", "", {&l::simplified_johnson_cook, &l::simplified_johnson_cook_strength}});
+  table.push_back({"MAT_JOHNSON_HOLMQUIST_CERAMICS",
+                   "",
+                   {&l::johnson_holmquist, &l::johnson_holmquist_limits, &l::johnson_holmquist_damage}});
   table.push_back({"MAT_JOHNSON_COOK",
                    "",
                    {&l::johnson_cook, &l::johnson_cook_strength, &l::johnson_cook_failure, &l::johnson_cook_more}});

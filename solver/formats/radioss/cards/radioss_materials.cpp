@@ -8,6 +8,7 @@
 #include <solver/formats/deck/given_once.hpp>
 #include <solver/formats/radioss/layouts/radioss_material_cards.hpp>
 
+#include "radioss_brittle.hpp"
 #include "radioss_hardening.hpp"
 #include "radioss_keys.hpp"
 #include "radioss_rubber.hpp"
@@ -26,7 +27,8 @@ struct Beside {
 
 bool is_done_material(const std::string& name) {
   return name == "MAT/ELAST" || name == "MAT/RIGID" || name == "MAT/PLAS_JOHNS" || name == "MAT/HYD_JCOOK" ||
-         name == "MAT/HYDPLA" || name == "MAT/PLAS_TAB" || name == "MAT/COWPER" || name == "MAT/OGDEN";
+         name == "MAT/HYDPLA" || name == "MAT/PLAS_TAB" || name == "MAT/COWPER" || name == "MAT/OGDEN" ||
+         name == "MAT/JOHN_HOLM";
 }
 
 /// VP: 2 where it is 0.
@@ -339,6 +341,7 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   if (hydro) set_hydrodynamic(data, block, lines, density, beside, keys);
   if (block.name == "MAT/PLAS_TAB") set_plas_tab(data, block, lines, keys);
   if (block.name == "MAT/COWPER") set_cowper(data, block, lines, keys);
+  if (block.name == "MAT/JOHN_HOLM") set_john_holm(data, block, lines, keys);
   if (rubber) set_ogden(data, block, lines, keys);
 }
 

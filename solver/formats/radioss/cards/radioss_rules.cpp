@@ -36,6 +36,7 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"MAT/PLAS_TAB", done, "LAW36: functions over plastic strain, of several rates"},
       {"MAT/COWPER", done, "LAW44: A, B, n or Iflag 1, sigmax; rate"},
       {"MAT/OGDEN", done, "LAW42: terms of the exponents 2 and -2"},
+      {"MAT/JOHN_HOLM", done, "LAW79; IDEL 1 is refused"},
       {"MAT/*", rejected, "other materials; where no part with solids has it, it is reported"},
       {"EOS/GRUNEISEN", done, "of LAW3 and LAW4, at rest at the start"},
       {"EOS/POLYNOMIAL", done, "the same"},

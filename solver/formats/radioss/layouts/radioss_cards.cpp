@@ -65,6 +65,9 @@ void add_materials(Table& table) {
   add(table, "MAT/OGDEN",
       {&r::density, &r::ogden_volume, &r::ogden_moduli, &r::ogden_moduli_more, &r::ogden_exponents,
        &r::ogden_exponents_more});
+  add(table, "MAT/JOHN_HOLM",
+      {&r::density, &r::brittle_modulus, &r::brittle_strength, &r::brittle_rate, &r::brittle_limits, &r::brittle_damage,
+       &r::brittle_pressure});
   add(table, "EOS/GRUNEISEN", {&r::grueneisen, &r::grueneisen_energy});
   add(table, "EOS/POLYNOMIAL", {&r::polynomial, &r::polynomial_energy});
   add(table, "FAIL/JOHNSON", {&r::fail_johnson, &r::fail_johnson_rate, &r::fail_johnson_points});

@@ -37,6 +37,15 @@ inline constexpr CardLayout hydro_rate{real("C"), real("EPS_DOT_0"), real("M", 1
                                        real("Tmax").rejected("leave it 0: there is no other exponent above it")};
 inline constexpr CardLayout hydro_heat{real("rhoC_p"), blank(40), real("T_r", 300)};
 
+inline constexpr CardLayout brittle_modulus{real("G").always()};
+inline constexpr CardLayout brittle_strength{real("a").always(), real("b"), real("m"), real("n")};
+inline constexpr CardLayout brittle_rate{real("c"), real("EPS_DOT_0"), real("SIGMA_FMAX").at_least(0),
+                                         real("Fcut").reported(not_smoothed)};
+inline constexpr CardLayout brittle_limits{real("T").always().at_least(0), real("HEL").always(), real("PHEL").always()};
+inline constexpr CardLayout brittle_damage{real("D1").at_least(0), real("D2").at_least(0), blank(10),
+                                           whole("IDEL").from(0, 3), real("EPSMAX").at_least(0)};
+inline constexpr CardLayout brittle_pressure{real("K1").always(), real("K2"), real("K3"), real("BETA").from(0, 1)};
+
 inline constexpr CardLayout tabulated_elasticity{real("E").always(), real("nu").always(),
                                                  real("Eps_p_max").rejected(no_deletion),
                                                  real("Eps_t").rejected("leave it 0: there is no damage by tension"),
