@@ -14,7 +14,7 @@ struct NodeArrays {
   S* position = nullptr;                       ///< x, y, z, unused [length]
   S* velocity = nullptr;                       ///< at the middle of the last step, unused [length/time]
   S* force = nullptr;                          ///< force, contact stiffness [force], [force/length]
-  const S* inverse_mass = nullptr;             ///< one per node; 0 for a node of no element [1/mass]
+  const S* inverse_mass = nullptr;             ///< one per node; 0 for a node that is tied [1/mass]
   const double* mass = nullptr;                ///< one per node [mass]
   const S* element_mass = nullptr;             ///< one per place of an element; 0: eroded [mass]
   const float* single_element_mass = nullptr;  ///< in its place, where elements have fewer digits than nodes
@@ -44,12 +44,14 @@ PINBALL_FUNCTION Vec3<T> vectors_from(const ScalarOf<T>* records, std::int64_t f
   return gather_vectors<T>(record(records, first), number);
 }
 
-/// Work of a force on node n, one of all those whose sum is in nodes.force.
+/// Work of a force on node n, one of all those whose sum is in nodes.force; in the place of that a tied node, which has
+/// no mass, has its acceleration there (TiedNodes::put_accelerations).
 template <class S>
 PINBALL_FUNCTION ExternalWork work_on_node(const NodeArrays<S>& nodes, std::int64_t n, const S* force,
                                            const StepLengths& step) {
+  const S mobility = nodes.inverse_mass[n] > S(0) ? nodes.inverse_mass[n] : S(1);
   S acceleration[3];
-  for (int k = 0; k < 3; ++k) acceleration[k] = nodes.force[4 * n + k] * nodes.inverse_mass[n];
+  for (int k = 0; k < 3; ++k) acceleration[k] = nodes.force[4 * n + k] * mobility;
   return work_of(force, nodes.velocity + 4 * n, acceleration, step);
 }
 

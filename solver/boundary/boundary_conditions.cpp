@@ -125,6 +125,10 @@ void BoundaryConditions<S>::add_wall_reactions(const NodeArrays<S>& nodes, doubl
     add_held_forces(forces_before_);
     ++steps_before_;
   }
+}
+
+template <class S>
+void BoundaryConditions<S>::count_work(const NodeArrays<S>& nodes, const StepLengths& step) {
   if (!acts_) return;
   done_ += last_.now + last_.later;
   last_ = work_of_step(nodes, step);

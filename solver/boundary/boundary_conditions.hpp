@@ -53,8 +53,11 @@ class BoundaryConditions {
                                 const StepLengths& step) const {
     return walls_.bounds(nodes, of, time, step);
   }
-  /// Adds the reactions of the walls, and counts the work of all.
   void add_wall_reactions(const NodeArrays<S>& nodes, double time, const StepLengths& step);
+  /// Whether it exerts forces on nodes that are tied, whose accelerations count_work() needs then.
+  bool loads_tied_nodes() const { return !loads_.empty() || pressures_.any() || of_host_; }
+  /// Counts the work of all, when all forces are known.
+  void count_work(const NodeArrays<S>& nodes, const StepLengths& step);
 
   double work() const { return done_ + last_.now; }  ///< done on the model up to the time of the forces [energy]
   /// Counts work that was done between two steps.

@@ -21,7 +21,7 @@ struct NodeStore {
   Array<S> position;      ///< x, y, z, unused [length]
   Array<S> velocity;      ///< at the middle of the last step, unused [length/time]
   Array<S> force;         ///< force, contact stiffness [force], [force/length]; zero between steps
-  Array<S> inverse_mass;  ///< one per node; 0 for a node of no element [1/mass]
+  Array<S> inverse_mass;  ///< one per node; 0 for a node that is tied [1/mass]
 
   explicit NodeStore(std::int32_t n = 0)
       : count(n), position(numbers(n)), velocity(numbers(n)), force(numbers(n)), inverse_mass(n) {}

@@ -263,6 +263,12 @@ void Solver<S>::wall_reactions() {
   if (!built::boundary_conditions || !boundary_.any()) return;
   timers_.measure(Phase::boundary_conditions, [&] {
     boundary_.add_wall_reactions(space_->nodes(NodeNumbers::force), clock_.time(), clock_.lengths());
+    if (tied_.any() && boundary_.loads_tied_nodes()) {
+      space_->show(NodeNumbers::force);
+      tied_.put_accelerations(model_);
+      space_->take(NodeNumbers::force);
+    }
+    boundary_.count_work(space_->nodes(NodeNumbers::none), clock_.lengths());
   });
 }
 

@@ -35,6 +35,9 @@ class TiedStage {
   /// Kinetic energy that this has cost [energy].
   double take_lost_energy() { return nodes_.take_lost_energy(); }
   void distribute(Model<S>& model) const { nodes_.distribute(model.nodes.force.data()); }
+  void put_accelerations(Model<S>& model) const {
+    nodes_.put_accelerations(model.nodes.inverse_mass.data(), model.nodes.force.data());
+  }
   void follow(Model<S>& model) const { nodes_.follow(motion_of(model)); }
   void persist(StateArchive& archive, Model<S>& model) { nodes_.persist(archive, motion_of(model)); }
   std::size_t bytes() const { return nodes_.bytes(); }

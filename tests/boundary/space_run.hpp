@@ -69,6 +69,7 @@ class SpaceRun {
     boundary_.add_loads(arrays(), time_, lengths);
     boundary_.hold(arrays(), time_, lengths);
     boundary_.add_wall_reactions(arrays(), time_, lengths);
+    boundary_.count_work(arrays(), lengths);
     parallel_for("integration", RangePolicy<Space>{0, model_.nodes.count},
                  IntegrateNodes<S>{arrays(), force_left_.data(), S(lengths.velocity()), S(length)});
     symmetry_.reflect(arrays(), S(length));

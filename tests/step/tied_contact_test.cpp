@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <solver/model/selection/node_selection.hpp>
 #include <solver/results/warnings.hpp>
 #include <tests/support/run_hash.hpp>
 #include <tests/support/saved_state.hpp>
@@ -150,6 +151,45 @@ TEST(TiedContact, PassesAWaveAsCommonNodesDo) {
     }
   }
   EXPECT_GT(largest, 1e8);
+}
+
+/// A load on tied nodes, a pressure on faces of which they are corners and a host's forces do the work that the corners
+/// which move them take up: from rest, in the first steps, too.
+TEST(TiedContact, CountsTheWorkOfWhatActsOnTiedNodes) {
+  Scene scene = glued(5, 3, 1e-3);
+  scene.guard.energy_error = 1e9;
+  NodeSelection joint;
+  joint.plane = Plane{{0, 0, 0.6}, {0, 0, 1}};
+  joint.body = "high";
+  NodalLoad load;
+  load.nodes = joint;
+  load.force = {1e6, 2e6, -3e6};
+  Pressure pressure;
+  pressure.name = "side";
+  pressure.faces.plane = Plane{{0.6, 0, 0}, {1, 0, 0}};
+  pressure.faces.body = "high";
+  pressure.pressure = 1e7;
+  for (const int kind : {0, 1, 2}) {
+    if (kind == 0) scene.loads = {load};
+    if (kind == 1) scene.pressures = {pressure};
+    Solver<double> solver(scene);
+    if (kind == 2) {
+      Array<double>& forces = solver.host_forces();
+      for (const std::int32_t n : select_nodes(solver.mesh(), joint)) {
+        record(forces.data(), solver.model().node_of_scene_node[n])[1] = 1e5;
+      }
+    }
+    double worst = 0;
+    while (!solver.at_end()) {
+      solver.step();
+      worst = std::max(worst, std::abs(solver.balance_error()));
+    }
+    solver.finish();
+    EXPECT_GT(solver.energies().external, 0) << kind;
+    EXPECT_LT(worst, 1e-6) << kind;
+    scene.loads.clear();
+    scene.pressures.clear();
+  }
 }
 
 /// A uniform stress in two blocks, whose meshes are nested: what the nodes of the finer give to the corners of the

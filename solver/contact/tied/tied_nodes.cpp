@@ -136,6 +136,21 @@ void TiedNodes<S>::distribute(S* force) const {
 }
 
 template <class S>
+void TiedNodes<S>::put_accelerations(const S* inverse_mass, S* force) const {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (active_[i] == 0) continue;
+    S* const own = record(force, nodes_[i].node);
+    for (int c = 0; c < 3; ++c) own[c] = S(0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::int32_t corner = nodes_[i].corner[k];
+      const S* const f = record(force, corner);
+      const S factor = static_cast<S>(nodes_[i].weight[k]) * inverse_mass[corner];
+      for (int c = 0; c < 3; ++c) own[c] += factor * f[c];
+    }
+  }
+}
+
+template <class S>
 void TiedNodes<S>::follow(const TiedMotion<S>& motion) const {
   const auto put = [&](std::int64_t number) {
     const std::size_t i = number;

@@ -66,6 +66,9 @@ class TiedNodes {
   double take_lost_energy() { return std::exchange(lost_, 0.0); }
   /// Gives the corners what acts on the tied nodes. force: records of four.
   void distribute(S* force) const;
+  /// Accelerations of the tied nodes, in the place of their forces, which are zero: where the work of what acts on them
+  /// is counted. force: of the corners all that acts on them, given by records of four.
+  void put_accelerations(const S* inverse_mass, S* force) const;
   /// Puts tied nodes where their corners take them, with their velocities.
   void follow(const TiedMotion<S>& motion) const;
   /// The tie of a node at present; null: it has none.
