@@ -36,20 +36,20 @@ struct GravityForce {
   }
 };
 
-/// f_i = s_i m g: on the parts of nodes that belong to some bodies.
+/// f_i = m_i g: on the parts of nodes that belong to some bodies. Their masses are those without ties: what is tied
+/// gives its mass to corners that may be of others.
 template <class S>
 struct PartGravityForce {
   const std::int32_t* nodes;
-  const double* share;     ///< of the node's mass [-]
+  const double* share;     ///< m_i [mass]
   double acceleration[3];  ///< g [length/time^2]
 
   void follow(const double* vector) {
     for (int k = 0; k < 3; ++k) acceleration[k] = vector[k];
   }
   PINBALL_FUNCTION std::int64_t node(std::int64_t i) const { return nodes[i]; }
-  PINBALL_FUNCTION void find(const NodeArrays<S>& of, std::int64_t i, S* force) const {
-    const double mass = share[i] * of.mass[nodes[i]];
-    for (int k = 0; k < 3; ++k) force[k] = static_cast<S>(mass * acceleration[k]);
+  PINBALL_FUNCTION void find(const NodeArrays<S>& /*of*/, std::int64_t i, S* force) const {
+    for (int k = 0; k < 3; ++k) force[k] = static_cast<S>(share[i] * acceleration[k]);
   }
 };
 

@@ -55,7 +55,9 @@ class BoundaryConditions {
   }
   void add_wall_reactions(const NodeArrays<S>& nodes, double time, const StepLengths& step);
   /// Whether it exerts forces on nodes that are tied, whose accelerations count_work() needs then.
-  bool loads_tied_nodes() const { return !loads_.empty() || pressures_.any() || of_host_; }
+  bool loads_tied_nodes() const {
+    return !loads_.empty() || pressures_.any() || of_host_ || gravity_.loads_tied_nodes();
+  }
   /// Counts the work of all, when all forces are known.
   void count_work(const NodeArrays<S>& nodes, const StepLengths& step);
 

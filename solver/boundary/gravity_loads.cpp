@@ -27,9 +27,12 @@ typename GravityLoads<S>::OfBodies GravityLoads<S>::of_bodies(const Model<S>& mo
   std::vector<std::int32_t> group;
   for (const Body& body : model.scene.bodies) group.push_back(std::ranges::count(given.bodies, body.name) > 0 ? 0 : -1);
   MassShares theirs = std::move(mass_shares(model, group, 1).front());
-  Kernels forces = kernels.gravity(theirs.nodes, theirs.share);
-  if (given.name.empty()) theirs = {};
-  return {given, {.now = given.table.value(0)}, std::move(theirs), std::move(forces)};
+  double mass = 0;
+  for (std::size_t i = 0; i < theirs.nodes.size(); ++i) {
+    theirs.share[i] *= model.node_mass[theirs.nodes[i]];
+    mass += theirs.share[i];
+  }
+  return {given, {.now = given.table.value(0)}, mass, kernels.gravity(theirs.nodes, theirs.share)};
 }
 
 template <class S>
@@ -69,21 +72,14 @@ void GravityLoads<S>::add_forces(const Model<S>& model, const NamedForces& named
     add(of_all_[i], factors_[i].mean(), std::accumulate(model.node_mass.begin(), model.node_mass.end(), 0.0));
   }
   for (const OfBodies& gravity : of_bodies_) {
-    if (gravity.given.name.empty()) continue;
-    double mass = 0;
-    for (std::size_t i = 0; i < gravity.theirs.nodes.size(); ++i) {
-      mass += gravity.theirs.share[i] * model.node_mass[gravity.theirs.nodes[i]];
-    }
-    add(gravity.given, gravity.factor.mean(), mass);
+    if (!gravity.given.name.empty()) add(gravity.given, gravity.factor.mean(), gravity.mass);
   }
 }
 
 template <class S>
 std::size_t GravityLoads<S>::bytes() const {
   std::size_t sum = 0;
-  for (const OfBodies& gravity : of_bodies_) {
-    sum += gravity.forces->bytes() + gravity.theirs.nodes.size() * (sizeof(std::int32_t) + sizeof(double));
-  }
+  for (const OfBodies& gravity : of_bodies_) sum += gravity.forces->bytes();
   return sum;
 }
 

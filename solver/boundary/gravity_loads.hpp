@@ -20,6 +20,8 @@ class GravityLoads {
 
   /// Adds the forces to those of the nodes; time: of the forces; begins_cycle: the step is the first of its cycle.
   void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step, bool begins_cycle);
+  /// Whether it exerts forces on tied nodes: that on all bodies has their masses at the corners of their faces.
+  bool loads_tied_nodes() const { return !of_bodies_.empty(); }
   /// Adds the work of the forces that apply() has added; to be called when all forces are known.
   void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const;
   /// Adds the force of each acceleration that has a name, as apply() has added it: the mean over the steps of the
@@ -44,7 +46,7 @@ class GravityLoads {
   struct OfBodies {
     Gravity given;
     Factor factor;
-    MassShares theirs;  ///< empty where it has no name
+    double mass = 0;  ///< of all parts
     Kernels forces;
   };
   static OfBodies of_bodies(const Model<S>& model, const Gravity& given, const BoundaryKernels<S>& kernels);

@@ -192,6 +192,25 @@ TEST(TiedContact, CountsTheWorkOfWhatActsOnTiedNodes) {
   }
 }
 
+/// Gravity of one of two blocks has its weight, whoever has the masses of its nodes, and does the work of that.
+TEST(TiedContact, HasTheWeightOfItsOwnBody) {
+  for (const std::string body : {"low", "high"}) {
+    Scene scene = glued(5, 3, 1e-3);
+    scene.gravities = {{.acceleration = {300, 0, -200}, .bodies = {body}, .name = "weight"}};
+    Solver<double> solver(scene);
+    double worst = 0;
+    while (!solver.at_end()) {
+      solver.step();
+      worst = std::max(worst, std::abs(solver.balance_error()));
+    }
+    solver.finish();
+    const double weight = 7850 * 0.6 * 0.6 * 0.6 * 300;
+    EXPECT_NEAR(momentum_of_all(solver)[0], weight * 1e-3, 1e-9 * weight) << body;
+    EXPECT_NEAR(solver.boundary().forces(solver.model()).at(0).force[0], weight, 1e-9 * weight) << body;
+    EXPECT_LT(worst, 1e-6) << body;
+  }
+}
+
 /// A uniform stress in two blocks, whose meshes are nested: what the nodes of the finer give to the corners of the
 /// coarser is the force of the same stress there. Each tied node that has other neighbours across the joint than common
 /// nodes would have is in balance, too.

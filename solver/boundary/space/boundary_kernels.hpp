@@ -121,10 +121,10 @@ class BoundaryKernels {
   /// share: of each node [-].
   virtual std::unique_ptr<NodeForceKernels<S>> load(const std::vector<std::int32_t>& nodes,
                                                     const std::vector<S>& share) const = 0;
-  /// The vector of both: the acceleration. share: of the mass of each node [-].
+  /// The vector of both: the acceleration. mass: of each node what it acts on [mass].
   virtual std::unique_ptr<NodeForceKernels<S>> gravity(std::int32_t node_count) const = 0;
   virtual std::unique_ptr<NodeForceKernels<S>> gravity(const std::vector<std::int32_t>& nodes,
-                                                       const std::vector<double>& share) const = 0;
+                                                       const std::vector<double>& mass) const = 0;
   virtual std::unique_ptr<NodeForceKernels<S>> damping(std::int32_t node_count, double rate) const = 0;
   /// forces: records of four of the host, which are read in every step.
   virtual std::unique_ptr<NodeForceKernels<S>> given_forces(std::int32_t node_count, const S* forces) const = 0;

@@ -28,8 +28,8 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
     return std::make_unique<SpaceNodeForces<S, Space, GravityForce<S>>>("gravity", node_count, GravityForce<S>{},
                                                                         of_all(node_count));
   }
-  Forces gravity(const std::vector<std::int32_t>& nodes, const std::vector<double>& share) const override {
-    return std::make_unique<SpaceSharedForces<S, Space, PartGravityForce<S>, double>>("gravity", nodes, share,
+  Forces gravity(const std::vector<std::int32_t>& nodes, const std::vector<double>& mass) const override {
+    return std::make_unique<SpaceSharedForces<S, Space, PartGravityForce<S>, double>>("gravity", nodes, mass,
                                                                                       of_list(nodes));
   }
   Forces damping(std::int32_t node_count, double rate) const override {
