@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include <solver/summary.hpp>
 #include <solver/verification/solver_run.hpp>
 #include <tests/support/solver_case.hpp>
 

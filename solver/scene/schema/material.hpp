@@ -5,6 +5,7 @@
 
 #include "../../scene.hpp"
 #include "key.hpp"
+#include "pressure_and_erosion.hpp"
 #include "rigid.hpp"
 
 /// The keys of materials.
@@ -180,84 +181,6 @@ constexpr void describe(Of<FluidSettings>, Visit&& visit) {
             &FluidSettings::viscosity,
             "eta: the deviator is 2 eta times that of the rate of deformation",
             {.unit = "M/(L T)", .bound = not_negative}});
-}
-
-template <class Visit>
-constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
-  using T = EquationOfStateSettings;
-  const auto shock = [](const T& eos) { return eos.form == EquationOfStateForm::mie_grueneisen; };
-  const auto polynomial = [](const T& eos) { return eos.form == EquationOfStateForm::polynomial; };
-  const auto tabulated = [](const T& eos) { return eos.form == EquationOfStateForm::tabulated; };
-  visit(Key{"form", &T::form, "of A and B in p = A + B e"});
-  visit(Key{"sound_speed",
-            &T::sound_speed,
-            "c, of the bulk: of a shock u_s = c + s1 u_p",
-            {.unit = "L/T", .bound = positive, .need = Need::required}}
-            .only_where(shock, "but with form = \"mie_grueneisen\""));
-  visit(Key{"slopes", &T::slopes, "`[s1, s2, s3]`", {.unit = "-"}}.only_where(shock,
-                                                                              "but with form = \"mie_grueneisen\""));
-  visit(Key{"gamma", &T::gamma, "Gamma_0 of Grueneisen", {.unit = "-", .bound = not_negative}}.only_where(
-      shock, "but with form = \"mie_grueneisen\""));
-  visit(Key{"gamma_slope", &T::gamma_slope, "a, of its change with the density", {.unit = "-"}}.only_where(
-      shock, "but with form = \"mie_grueneisen\""));
-  visit(Key{"coefficients",
-            &T::coefficients,
-            "`[c0, c1, c2, c3, c4, c5, c6]`, the last three without a unit",
-            {.unit = "M/(L T^2)", .need = Need::required}}
-            .only_where(polynomial, "but with form = \"polynomial\""));
-  visit(Key{"volume_strain",
-            &T::volume_strain,
-            "ln(V/V_0) of 2 to 16 points, rising or falling; beyond the ends the last pieces go on",
-            {.unit = "-", .need = Need::required}}
-            .only_where(tabulated, "but with form = \"tabulated\""));
-  visit(Key{"pressure",
-            &T::pressure,
-            "A at these points, 0 where the volume is that at rest",
-            {.unit = "M/(L T^2)", .need = Need::required}}
-            .only_where(tabulated, "but with form = \"tabulated\""));
-  visit(Key{"energy_factor", &T::energy_factor, "B at these points; none: 0", {.unit = "-"}}.only_where(
-      tabulated, "but with form = \"tabulated\""));
-  visit(Key{"tension_limit",
-            &T::tension_limit,
-            "the pressure is never below minus this; 0: no limit",
-            {.unit = "M/(L T^2)", .bound = not_negative}});
-}
-
-template <class Visit>
-constexpr void describe(Of<ErosionSettings>, Visit&& visit) {
-  using T = ErosionSettings;
-  visit(Key{"tension",
-            &T::tension,
-            "of the mean stress, which is minus the pressure; 0: no such limit, here and below",
-            {.unit = "M/(L T^2)", .bound = not_negative}});
-  visit(Key{"compression", &T::compression, "of the pressure", {.unit = "M/(L T^2)", .bound = not_negative}});
-  visit(Key{"principal_stress",
-            &T::principal_stress,
-            "of the largest principal stress",
-            {.unit = "M/(L T^2)", .bound = not_negative}});
-  visit(Key{"effective_stress",
-            &T::effective_stress,
-            "of von Mises' effective stress",
-            {.unit = "M/(L T^2)", .bound = not_negative}});
-  visit(Key{"principal_strain",
-            &T::principal_strain,
-            "of the largest principal strain, logarithmic where its axes stay in the material",
-            {.unit = "-", .bound = not_negative}});
-  visit(Key{"shear_strain",
-            &T::shear_strain,
-            "of half the difference of the largest and the smallest principal strain",
-            {.unit = "-", .bound = not_negative}});
-  visit(Key{"time", &T::time, "after it all elements of the material are eroded", {.unit = "T", .bound = not_negative}}
-            .idle_where([](const T& erosion, const Scene& scene) { return erosion.time > scene.time.end; },
-                        "where it lies after time.end"));
-  visit(Key{"smallest_step",
-            &T::smallest_step,
-            "an element whose stable step is smaller is eroded",
-            {.unit = "T", .bound = not_negative}});
-  visit(Key{"step_share",
-            &T::step_share,
-            "the same, as a part of the smallest stable step at the start",
-            {.unit = "-", .bound = {.low = 0.0, .high = 1.0, .high_open = true}}});
 }
 
 /// Whether all bodies of a material are rigid.
