@@ -122,6 +122,13 @@ TEST_F(OtherHistories, TextsAmongTheNumbersOfAColumnAreNamedWithTheirLine) {
   EXPECT_TRUE(std::isnan(curve(history, "step").values[0]));
 }
 
+/// The last of them counted, without a word.
+TEST_F(OtherHistories, ColumnsOfOneNameAreNamedWithTheirLine) {
+  EXPECT_THAT(problem("# of two runs\ntime,a,b,a\n0,1,2,3\n1,2,3,4\n"),
+              HasSubstr("history:2: expected columns with a name each, columns 2 and 4 are both 'a'"));
+  EXPECT_EQ(read("time,,A,a,\n0,0,1,2,\n1,0,3,4,\n").curves.size(), 3);
+}
+
 TEST_F(OtherHistories, AFileThatIsStillWrittenEndsWithItsLastWholeLine) {
   EXPECT_THAT(read("time,a,b\n0,1,2\n1,2,3\n2,3").times, ElementsAre(0, 1));
 }

@@ -186,6 +186,17 @@ class TextCells {
   std::vector<Column> columns_;
 };
 
+/// Throws InputError where two columns have one name: which of them is meant is not known.
+void require_own_names(const std::vector<std::string>& names, const std::string& where) {
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::size_t first = std::ranges::find(names, names[k]) - names.begin();
+    if (first < k && !names[k].empty()) {
+      throw InputError(fmt::format("{}: expected columns with a name each, columns {} and {} are both '{}'", where,
+                                   first + 1, k + 1, names[k]));
+    }
+  }
+}
+
 void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
   history.kind = "table";
   const auto is_told = [](const std::string& line) {
@@ -203,6 +214,7 @@ void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
                     "CalculiX' .dat, got '{}'",
                     history.path, heading - lines.begin() + 1, trimmed(std::string_view(*heading).substr(0, 60))));
   }
+  require_own_names(names, fmt::format("{}:{}", history.path, heading - lines.begin() + 1));
   Rows rows(history);
   TextCells texts(names);
   for (auto line = heading + 1; line != lines.end(); ++line) {
