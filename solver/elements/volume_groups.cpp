@@ -14,7 +14,7 @@ struct AveragedElement {
   std::int64_t slot;
   std::int32_t tile;
   std::int32_t corners;  ///< 4 of a tetrahedron, else 8
-  std::array<std::int32_t, 8> groups;
+  std::array<std::int32_t, 8> groups{};
 
   std::span<const std::int32_t> own_groups() const { return {groups.data(), static_cast<std::size_t>(corners)}; }
 };
@@ -31,7 +31,7 @@ struct AveragedElements {
       for (const std::int64_t slot : model.slots_of(tile)) {
         if (model.is_padding(slot)) continue;
         const std::array<std::int32_t, 8> corners = model.elements.corners(slot);
-        AveragedElement& one = all.emplace_back(slot, tile, tetrahedra ? 4 : 8);
+        AveragedElement& one = all.emplace_back(AveragedElement{slot, tile, tetrahedra ? 4 : 8});
         for (int i = 0; i < one.corners; ++i) {
           const std::pair key(model.parts[part].material, corners[tetrahedra ? tetrahedron_corner(i) : i]);
           one.groups[i] = numbers.try_emplace(key, static_cast<std::int32_t>(numbers.size())).first->second;

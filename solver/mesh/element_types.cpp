@@ -4,11 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 #include <vector>
 
 #include <kernels/tetrahedron.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
+
+#include "words.hpp"
 
 /// Numbers and names of the formats: "MSH file format" in the reference manual of Gmsh; vtkCellType.h; L. A. Schoof,
 /// V. R. Yarberry, SAND92-2137, for Exodus; the manuals of Abaqus and Radioss.
@@ -129,12 +130,13 @@ const ElementType* element_type(int ElementType::*format, int number) {
 }
 
 const ElementType* element_type(std::string_view ElementType::*format, std::string_view name) {
-  for (const ElementType& type : types) {
-    for (const auto& word : std::views::split(type.*format, ' ')) {
-      if (!name.empty() && std::ranges::equal(word, name)) return &type;
-    }
-  }
-  return nullptr;
+  const auto is_of = [&](const ElementType& type) {
+    bool found = false;
+    for_words(type.*format, [&](std::string_view word) { found = found || word == name; });
+    return found;
+  };
+  const auto type = std::ranges::find_if(types, is_of);
+  return type == types.end() ? nullptr : &*type;
 }
 
 Corners8 stored_corners(const ElementType& type, std::span<const std::int32_t> nodes) {
@@ -152,7 +154,7 @@ bool is_tetrahedron(const Corners8& c) {
 std::size_t different_nodes(const Corners8& corners) {
   Corners8 sorted = corners;
   std::ranges::sort(sorted);
-  return std::ranges::unique(sorted).begin() - sorted.begin();
+  return std::unique(sorted.begin(), sorted.end()) - sorted.begin();
 }
 
 WorkedShape worked_as(const Corners8& corners) {

@@ -2,7 +2,8 @@
 
 #include <cctype>
 #include <filesystem>
-#include <ranges>
+
+#include "words.hpp"
 
 namespace pinball {
 
@@ -12,9 +13,7 @@ namespace {
 template <class Visit>
 void for_endings(const Visit& visit) {
   for (const KnownMeshFormat& known : known_mesh_formats) {
-    for (const auto& ending : std::views::split(known.endings, ' ')) {
-      visit(std::string(ending.begin(), ending.end()), known.format);
-    }
+    for_words(known.endings, [&](std::string_view ending) { visit(std::string(ending), known.format); });
   }
 }
 

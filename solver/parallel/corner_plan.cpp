@@ -47,7 +47,7 @@ CornerPlan::CornerPlan(const Model<S>& model, const std::vector<std::int32_t>& r
     }
   });
   std::ranges::sort(pairs);
-  messages = std::ranges::unique(pairs).begin() - pairs.begin();
+  messages = std::unique(pairs.begin(), pairs.end()) - pairs.begin();
   for (Neighbour& of : neighbours) {
     of.first = received;
     received += of.count;

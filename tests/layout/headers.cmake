@@ -59,3 +59,12 @@ if(PINBALL_HIPCC)
     set_tests_properties(${source}_compile_with_hipcc PROPERTIES LABELS kernels)
   endforeach()
 endif()
+
+# With another compiler than that of the tests, where it is found.
+find_program(PINBALL_CLANG NAMES clang++ clang++-14)
+mark_as_advanced(PINBALL_CLANG)
+if(PINBALL_CLANG)
+  add_test(NAME compiles_with_clang COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/clang_test.py ${CMAKE_COMMAND}
+                                            ${PINBALL_CLANG} ${CMAKE_CURRENT_BINARY_DIR}/clang)
+  set_tests_properties(compiles_with_clang PROPERTIES LABELS "layout;slow" PROCESSORS 2 TIMEOUT 1800)
+endif()

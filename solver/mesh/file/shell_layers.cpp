@@ -148,8 +148,7 @@ bool is_flat_layer(const std::array<std::int32_t, 8>& hexahedron) {
 
 std::array<std::int32_t, 4> key_of_shell(std::array<std::int32_t, 4> corners) {
   std::ranges::sort(corners);
-  const auto end = std::ranges::unique(corners).begin();
-  std::fill(end, corners.end(), std::int32_t{-1});
+  std::fill(std::unique(corners.begin(), corners.end()), corners.end(), std::int32_t{-1});
   return corners;
 }
 

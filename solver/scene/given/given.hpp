@@ -46,6 +46,13 @@ class GivenTable {
  public:
   std::string comment{};  ///< for people, where it is written as text
 
+  GivenTable();  // these are defined where an entry is: Clang needs to know it for them
+  GivenTable(const GivenTable&);
+  GivenTable(GivenTable&&) noexcept;
+  GivenTable& operator=(const GivenTable&);
+  GivenTable& operator=(GivenTable&&) noexcept;
+  ~GivenTable();
+
   /// Null: there is no such key.
   const GivenValue* find(std::string_view key) const;
   GivenValue* find(std::string_view key);
@@ -88,6 +95,13 @@ struct GivenEntry {
   GivenPlace place;  ///< of the key
   GivenValue value;
 };
+
+inline GivenTable::GivenTable() = default;
+inline GivenTable::GivenTable(const GivenTable&) = default;
+inline GivenTable::GivenTable(GivenTable&&) noexcept = default;
+inline GivenTable& GivenTable::operator=(const GivenTable&) = default;
+inline GivenTable& GivenTable::operator=(GivenTable&&) noexcept = default;
+inline GivenTable::~GivenTable() = default;
 
 /// A value as a message shows it after "got": -1, "text", true, an array of 2 values, a table.
 std::string describe(const GivenValue& value);

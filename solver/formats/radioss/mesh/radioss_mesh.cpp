@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 
 #include <solver/base/error.hpp>
@@ -147,8 +146,8 @@ class RadiossMeshReader {
   }
 
   void add_ten_nodes(const RadiossFields& f) {
-    const auto edges = [&](std::int64_t i) { return f.integer(4 + i) != 0; };
-    const auto given = std::ranges::count_if(std::views::iota(0, 6), edges);
+    int given = 0;
+    for (std::int64_t i = 4; i < 10; ++i) given += f.integer(i) != 0 ? 1 : 0;
     if (given != 0 && given != 6)
       fail_at(f.place(), fmt::format("/TETRA10: solid {} has nodes on {} of its six edges: expected all, or none",
                                      file_.element_ids.back(), given));
