@@ -76,7 +76,8 @@ class GeneralYield {
 
   /// Solves  Y(e + dl, dl/dt) + (3 mu + H_k) dl = q  for r = (dl/(C dt))^(1/p), in which the equation is smooth, also
   /// where the rate vanishes; of several curves C = p = 1, and r is the rate. Newton's method, from above, between
-  /// bounds that every try narrows. A lane that has its solution keeps it, whatever its neighbours need.
+  /// bounds that every try narrows: over several curves, straight between their rates, it can lead from one bound to
+  /// the other and back. A lane that has its solution keeps it, whatever its neighbours need.
   PINBALL_FUNCTION T viscoplastic_increment(const T& q, const T& plastic_strain) const {
     const bool law = h_->rate_constant > 0;
     const S p = law ? h_->rate_exponent : S(1), inverse_p = 1 / p, m = modulus();
@@ -99,7 +100,8 @@ class GeneralYield {
       high = select(open && above, r, high);
       low = select(open && !above, r, low);
       T next = r - f.value / f.slope;
-      next = select(next >= low && next <= high, next, number<T>(0.5) * (low + high));
+      const auto rounded = absolute(f.value) <= T(4 * last_digits) * q;
+      next = select(next > low && next < high, next, select(rounded, r, number<T>(0.5) * (low + high)));
       const auto moved = absolute(next - r) > T(last_digits) * r;
       r = select(open, next, r);
       open = open && moved;

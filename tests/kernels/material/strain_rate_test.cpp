@@ -93,6 +93,34 @@ double of_three_curves(double strain, double rate, bool logarithmic) {
   return values[i] + w * (values[i + 1] - values[i]);
 }
 
+/// Newton's method went from one bound to the other and back, across the rate of a curve behind which the next is
+/// farther away, and left what it had.
+TEST(StrainRate, OfPlasticStrainSolvesItsEquationAcrossTheRateOfACurve) {
+  for (const bool logarithmic : {false, true}) {
+    const auto place = [&](double r) { return logarithmic ? std::log(r) : r; };
+    HardeningCase c =
+        plastic_case({0, 0.1}, {3, 4, 3.1, 4.1, 6, 7}, {10, 0, 10, 0, 10, 0}, {place(0.5), place(1), place(2)});
+    c.constants.measure = StrainRateMeasure::plastic;
+    c.constants.logarithmic = logarithmic;
+    const auto yield = [&](double strain, double rate) {
+      const double at_curve[3] = {3, 3.1, 6}, first = std::clamp(rate, 0.5, 2.0);
+      const int i = first < 1 ? 0 : 1;
+      const double w = (place(first) - c.rate[i]) / (c.rate[i + 1] - c.rate[i]);
+      return at_curve[i] + w * (at_curve[i + 1] - at_curve[i]) + 10 * std::min(strain, 0.1);
+    };
+    for (const double dt : {1e-4, 1e-3, 1e-2}) {
+      const GeneralYield<double> law(c.material, c.constants, nothing, dt);
+      for (double q = 3; q < 12; q += 0.01) {
+        for (const double e : {0.0, 0.02, 0.2}) {
+          const double dl = law.increment(q, e);
+          if (!(dl > 0)) continue;
+          EXPECT_NEAR(yield(e + dl, dl / dt) + 240 * dl, q, 1e-11 * q) << q << " " << e << " " << dt;
+        }
+      }
+    }
+  }
+}
+
 TEST(StrainRate, LiesBetweenCurves) {
   for (const bool logarithmic : {false, true}) {
     const HardeningCase c = three_curves(StrainRateMeasure::deviatoric, logarithmic);
