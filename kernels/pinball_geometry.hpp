@@ -22,6 +22,7 @@ struct PinballGeometryView {
   S* outward;                  ///< outward normal, B R
   S* two_sided;                ///< two-sided normal
   int row = 1;                 ///< lanes of a pack
+  S radius_factor = 1;         ///< on the radius of (3.2) [-]
 };
 
 /// Writes the records of pinballs pack * W ... + W - 1; a pack is as wide as a row, or one lane. With update_radius the
@@ -59,7 +60,7 @@ PINBALL_FUNCTION void update_pinball_pack(const PinballGeometryView<ScalarOf<T>>
     view.centre[p + 2] = lane(centre.z, i);
     if constexpr (update_radius) {
       const S v_abs = absolute(lane(volume, i));
-      view.centre[p + 3] = ball_radius_of_cube(static_cast<S>(::cbrt(v_abs)));  // (3.2)
+      view.centre[p + 3] = view.radius_factor * ball_radius_of_cube(static_cast<S>(::cbrt(v_abs)));  // (3.2)
       const S takes_part = view.outward[p + 3] > S(0) ? S(1) : S(0);
       view.outward[p + 3] = takes_part * view.bulk_modulus[pack * W + i] * view.centre[p + 3];
     }
@@ -88,16 +89,16 @@ struct UpdatePinballs {
 };
 
 /// Radius of the ball of an element's present volume, as update_pinball_pack finds it but for the rounding of the cube
-/// root [length]. position: node records; corner: eight nodes.
+/// root [length]. position: node records; corner: eight nodes; factor: on the radius of (3.2).
 template <class S>
-PINBALL_FUNCTION S present_radius(const S* position, const std::int32_t* corner) {
+PINBALL_FUNCTION S present_radius(const S* position, const std::int32_t* corner, S factor) {
   Vec3<S> x[8];
   for (int i = 0; i < 8; ++i) {
     const S* const of = record(position, corner[i]);
     x[i] = {of[0], of[1], of[2]};
   }
   const HexahedronModes<S> modes = to_modes(x);
-  return ball_radius_of_cube(S(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes)))));
+  return factor * ball_radius_of_cube(S(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes)))));
 }
 
 /// Whether the ball of an element has grown beyond `most` times what it was; also where a position is not a number.
@@ -107,9 +108,10 @@ struct BallsGrow {
   const S* radius;             ///< as it was [length]
   const S* position;           ///< node records
   S most;                      ///< [-]
+  S factor;                    ///< on the radius of (3.2) [-]
 
   PINBALL_FUNCTION bool operator()(std::int64_t p) const {
-    return !(present_radius(position, corner + 8 * p) <= most * radius[p]);
+    return !(present_radius(position, corner + 8 * p, factor) <= most * radius[p]);
   }
 };
 

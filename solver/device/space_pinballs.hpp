@@ -81,7 +81,8 @@ class SpacePinballs final : public PinballKernels<S> {
     return is_any("deviations", expected.count, NodesStray<S>{expected, nodes.position, elapsed});
   }
   bool any_grows(const SurfaceNodes<S>& nodes, S most) override {
-    return is_any("radii", host_.balls, BallsGrow<S>{data(ball_corner_), data(radius_), nodes.position, most});
+    return is_any("radii", host_.balls,
+                  BallsGrow<S>{data(ball_corner_), data(radius_), nodes.position, most, host_.geometry.radius_factor});
   }
 
   PairSums<S> find_forces(const PenaltyConstants<S>& constants, S dt) override {
@@ -123,8 +124,9 @@ class SpacePinballs final : public PinballKernels<S> {
   }
   EntriesOf entries(const Entries& of) { return {data(of.first), data(of.entry)}; }
   PinballGeometryView<S> geometry() {
-    return {data(corner_),   data(exposed_), data(bulk_modulus_), data(centre_),
-            data(velocity_), data(outward_), data(two_sided_),    host_.geometry.row};
+    return {data(corner_),    data(exposed_),     data(bulk_modulus_),
+            data(centre_),    data(velocity_),    data(outward_),
+            data(two_sided_), host_.geometry.row, host_.geometry.radius_factor};
   }
 
   PinballArrays<S> host_;  ///< as it was taken

@@ -24,7 +24,8 @@ bool HostPinballs<S>::any_strays(const SurfaceNodes<S>& nodes, S elapsed) {
 
 template <class S>
 bool HostPinballs<S>::any_grows(const SurfaceNodes<S>& nodes, S most) {
-  return first_where("radii", of_.balls, BallsGrow<S>{of_.corner, of_.radius, nodes.position, most}) < of_.balls;
+  const BallsGrow<S> grows{of_.corner, of_.radius, nodes.position, most, of_.geometry.radius_factor};
+  return first_where("radii", of_.balls, grows) < of_.balls;
 }
 
 template <class S>

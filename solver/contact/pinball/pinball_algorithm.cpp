@@ -157,6 +157,7 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
   clock_.restart(horizon);
 
   const bool current = this->settings_.radius == ContactRadius::current;
+  const S radius_factor = static_cast<S>(this->settings_.radius_factor);
   radius_.resize(current ? all_.radius.size() : 0);
   // Where each ball may be, and what the rounding of single precision adds.
   const S factor =
@@ -166,7 +167,7 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
     const std::size_t p = i;
     std::array<S, 3> way = centre_of(source.velocity, all_.corners[p]);
     for (S& w : way) w *= horizon;
-    if (current) radius_[p] = present_radius(source.position, all_.corners[p].data());
+    if (current) radius_[p] = present_radius(source.position, all_.corners[p].data(), radius_factor);
     const S radius = current ? radius_[p] : all_.radius[p];
     balls_.set(i, centre_of(source.position, all_.corners[p]), way,
                factor * radius + motion_.allowance(all_.corners[p]));
@@ -186,6 +187,7 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   constexpr int W = native_width<S>;
   const std::int32_t n = list_.size();
   pinballs_.reset(n, W);
+  pinballs_.radius_factor = static_cast<S>(this->settings_.radius_factor);
   const std::int32_t padded = (n + W - 1) / W * W;
   parallel_for("listed pinballs", RangePolicy<>{0, padded}, [&](std::int64_t p) {
     const std::int32_t a = list_.listed()[std::min<std::int64_t>(p, n - 1)];  // padding repeats corners of the last one
@@ -282,10 +284,11 @@ void PinballAlgorithm<S>::add_pair_forces_of_springs(std::vector<Point>& sums) c
 template <class S>
 void PinballAlgorithm<S>::put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const {
   const bool current = this->settings_.radius == ContactRadius::current;
+  const S radius_factor = static_cast<S>(this->settings_.radius_factor);
   for (std::size_t p = 0; p < all_.slot.size(); ++p) {
     if (surface_.exposed(all_.slot[p]) == 0) continue;  // behind the surface, or eroded
-    slot_radius[all_.slot[p]] =
-        static_cast<double>(current ? present_radius(source.position, all_.corners[p].data()) : all_.radius[p]);
+    slot_radius[all_.slot[p]] = static_cast<double>(
+        current ? present_radius(source.position, all_.corners[p].data(), radius_factor) : all_.radius[p]);
   }
 }
 

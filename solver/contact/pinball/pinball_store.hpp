@@ -17,6 +17,7 @@ template <class S>
 struct PinballStore {
   std::int32_t count = 0;
   int row = 1;                                       ///< W
+  S radius_factor = 1;                               ///< contact.radius_factor [-]
   Array<std::int32_t> corner;                        ///< in tiles of W
   Array<S> exposed;                                  ///< in tiles of W
   Array<S> bulk_modulus;                             ///< in tiles of W
@@ -44,7 +45,8 @@ struct PinballStore {
 
   PinballGeometryView<S> geometry() {
     return {corner.data(),   exposed.data(), bulk_modulus.data(), centre.data(),
-            velocity.data(), outward.data(), two_sided.data(),    row};
+            velocity.data(), outward.data(), two_sided.data(),    row,
+            radius_factor};
   }
   std::size_t bytes() const {
     return corner.bytes() + exposed.bytes() + bulk_modulus.bytes() + centre.bytes() + velocity.bytes() +
