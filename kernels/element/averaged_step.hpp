@@ -18,7 +18,9 @@
 ///
 /// and an element's strain is its own but for its volume, which is that of J. Its forces are those of the stress that
 /// follows, over its own shape: with a linear bulk modulus they are the gradient of sum_a K/2 (J_a - 1)^2 sum V, and no
-/// stiffer than without averages, so that the stable step of the element holds.
+/// stiffer than without averages, so that the stable step of the element holds. Where the mean stress comes of shears,
+/// too, they would be the gradient of nothing: elements of orthotropic materials have J = v / V of their own
+/// (solver/elements/volume_groups.cpp).
 namespace pinball {
 
 /// Of features without such elements: what is there.

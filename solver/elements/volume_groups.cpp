@@ -19,7 +19,9 @@ struct AveragedElement {
   std::span<const std::int32_t> own_groups() const { return {groups.data(), static_cast<std::size_t>(corners)}; }
 };
 
-/// All of the model, ascending by their slots, with a number for each node of each material.
+/// All of the model, ascending by their slots, with a number for each node of each material. Elements of orthotropic
+/// materials have one each, and so volumes of their own: where a mean stress comes of more than the volume, forces over
+/// averaged ones are no gradient of an energy, and make some.
 struct AveragedElements {
   template <class S>
   explicit AveragedElements(const Model<S>& model) {
@@ -27,13 +29,14 @@ struct AveragedElements {
     for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
       const std::int32_t part = model.tile_part[tile];
       if (!model.constants[part].averaged_volumes) continue;
-      const bool tetrahedra = model.parts[part].features.tetrahedra;
+      const bool tetrahedra = model.parts[part].features.tetrahedra, alone = model.constants[part].orthotropic.used;
       for (const std::int64_t slot : model.slots_of(tile)) {
         if (model.is_padding(slot)) continue;
         const std::array<std::int32_t, 8> corners = model.elements.corners(slot);
         AveragedElement& one = all.emplace_back(AveragedElement{slot, tile, tetrahedra ? 4 : 8});
         for (int i = 0; i < one.corners; ++i) {
-          const std::pair key(model.parts[part].material, corners[tetrahedra ? tetrahedron_corner(i) : i]);
+          const std::int32_t node = corners[tetrahedra ? tetrahedron_corner(i) : i];
+          const std::pair key(model.parts[part].material, alone ? -static_cast<std::int32_t>(all.size()) : node);
           one.groups[i] = numbers.try_emplace(key, static_cast<std::int32_t>(numbers.size())).first->second;
         }
       }
