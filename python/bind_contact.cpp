@@ -164,8 +164,12 @@ class ContactObject {
   static const void* taken(std::vector<py::array>& keep, const char* name, const Maybe& given, const py::dtype& type,
                            std::int64_t size) {
     if (!given) return nullptr;
-    const py::object made = array_of(*given).attr("astype")(type, py::arg("order") = "C",
-                                                            py::arg("casting") = "same_kind", py::arg("copy") = false);
+    const py::array there = array_of(*given);
+    const py::object made =
+        there.attr("astype")(type, py::arg("order") = "C", py::arg("casting") = "same_kind", py::arg("copy") = false);
+    if (!made.is(there) && type.kind() != 'f' && !there.attr("__eq__")(made).attr("all")().cast<bool>()) {
+      throw InputError(std::string(name) + ": expected numbers that " + text_of(type) + " can hold");
+    }
     keep.push_back(made.cast<py::array>());
     if (keep.back().size() != size) {
       throw InputError(std::string(name) + ": expected " + std::to_string(size) + " numbers, got " +

@@ -152,6 +152,7 @@ class Errors(unittest.TestCase):
             ({"method": "balls"}, 'options.method: unknown value "balls"'),
             ({"mass": bars.mass[:-1]}, "mass: expected 88 numbers, got 87"),
             ({"corners": bars.corners + 1000}, "corners"),
+            ({"body": bars.body.astype(np.int64) << 32}, "body: expected numbers that int32 can hold"),
             ({"position": bars.x.astype(int)}, "position: expected numbers of float64 or float32, got int64"),
             ({"position": bars.x[:, :2]}, "position: expected an array of shape"),
         ]:
