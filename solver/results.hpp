@@ -47,12 +47,13 @@ struct BodyResult {
 /// What a rigid wall has felt.
 struct WallResult {
   std::string name;
-  double force = 0.0;         ///< along its normal, at present [force]
-  double force_max = 0.0;     ///< largest of one step [force]
-  double impulse = 0.0;       ///< given to the bodies [mass length/time]
-  bool moves = false;         ///< it has a speed or a mass
-  double displacement = 0.0;  ///< along the normal [length]
-  double velocity = 0.0;      ///< of a wall that moves, along the normal [length/time]
+  double force = 0.0;             ///< along its normal, at present [force]
+  double force_max = 0.0;         ///< largest of one step [force]
+  double impulse = 0.0;           ///< given to the bodies [mass length/time]
+  bool moves = false;             ///< it has a speed or a mass
+  double displacement = 0.0;      ///< along the normal [length]
+  double row_displacement = 0.0;  ///< at the time of the force, before the step that it makes [length]
+  double velocity = 0.0;          ///< of a wall that moves, along the normal [length/time]
 };
 
 /// What a pressure has done.

@@ -10,6 +10,7 @@ void RigidWalls<S>::react(const NodeArrays<S>& nodes, Wall& wall, WallResult& re
   // The last step has no length: the forces are those of one more step like the one before.
   const double position_step = step.after > 0 ? step.after : step.before;
   const double velocity_step = step.after > 0 ? step.velocity() : step.before;
+  result.row_displacement = result.displacement;
   const auto way = static_cast<S>(result.displacement);
   WallStep<S> at{static_cast<S>(position_step), static_cast<S>(velocity_step), way, way};
   const auto ends_at = [&](double velocity) {
@@ -76,6 +77,7 @@ void RigidWalls<S>::apply(const NodeArrays<S>& nodes, double time, const StepLen
     if (!wall.when.contains(time)) {
       wall.nodes->clear_reactions();
       result.force = 0;
+      result.row_displacement = result.displacement;
       continue;
     }
     react(nodes, wall, result, time, step);

@@ -56,7 +56,7 @@ class RigidWalls {
 
   void persist(StateArchive& archive) {
     for (WallResult& wall : results_)
-      archive(wall.force, wall.force_max, wall.impulse, wall.displacement, wall.velocity);
+      archive(wall.force, wall.force_max, wall.impulse, wall.displacement, wall.row_displacement, wall.velocity);
     archive(closing_);
   }
   const std::vector<WallResult>& results() const { return results_; }

@@ -100,7 +100,7 @@ HistoryRow history_row(const Solver<S>& solver) {
   for (const WallResult& wall : solver.boundary().walls()) {
     row.more.push_back(wall.force);
     row.more.push_back(wall.impulse);
-    if (wall.moves) row.more.insert(row.more.end(), {wall.displacement, wall.velocity});
+    if (wall.moves) row.more.insert(row.more.end(), {wall.row_displacement, wall.velocity});
   }
   for (const RigidBodyResult& rigid : solver.rigid().results()) {
     for (const Point& quantity : {rigid.centre, rigid.velocity, rigid.angular_velocity, rigid.force, rigid.moment})

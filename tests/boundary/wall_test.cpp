@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include <solver/output/history.hpp>
+#include <solver/step/report.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Rigid walls that move, end, or take some nodes alone.
@@ -101,6 +104,22 @@ TEST(MovingWall, FollowsItsTable) {
     for (std::size_t n = 0; n < 9; ++n) EXPECT_GT(position_of(solver, n)[2], wall_of(solver).displacement - 1e-15);
   }
   EXPECT_GT(wall_of(solver).impulse, 0);
+}
+
+/// Of a wall that moves a row of the history had the place of one step later: nodes seemed to stand before it.
+TEST(MovingWall, IsInTheRowsOfTheHistoryWhereItIsAtTheirTimes) {
+  Scene scene = falling_block();
+  scene.rigid_walls[0].speed = 3;
+  scene.rigid_walls[0].when.end = 2e-4;
+  Solver<double> solver(scene);
+  const std::vector<std::string> names = history_column_names({"a"}, more_columns(solver));
+  const auto column = static_cast<std::size_t>(std::ranges::find(names, "wall_displacement") - names.begin());
+  ASSERT_LT(column, names.size());
+  while (!solver.at_end()) {
+    solver.step();
+    const HistoryRow row = history_row(solver);
+    EXPECT_NEAR(history_numbers(row)[column], row.time < 2e-4 ? 3 * row.time : wall_of(solver).displacement, 1e-15);
+  }
 }
 
 TEST(MovingWall, PassesAStandingOneOnlyIfNothingHoldsIt) {

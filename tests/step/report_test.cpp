@@ -151,7 +151,7 @@ void put_accounts(const Solver<double>& solver, Columns& columns) {
     columns[wall.name + "_force"] = wall.force;
     columns[wall.name + "_impulse"] = wall.impulse;
     if (wall.name != "side") continue;
-    columns["side_displacement"] = wall.displacement;
+    columns["side_displacement"] = wall.displacement - solver.dt() * wall.velocity;  // at the time of the forces
     columns["side_velocity"] = wall.velocity;
   }
   put(columns, "gas_force", solver.boundary().pressures().at(0).force);
