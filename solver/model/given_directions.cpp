@@ -1,7 +1,10 @@
 #include "given_directions.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include <solver/base/error.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
 namespace pinball {
@@ -44,10 +47,24 @@ bool NodeDirections::add(const GivenDirection& given) {
   if (!given.held) {
     // Of a whole velocity, what is left along the direction; of a speed along one, what gives it that component.
     const PrescribedVelocity& motion = scene_->prescribed_velocities[given.table];
+    if (motion.direction) require_across(given);
     speed = motion.direction ? given.speed / length : dot(motion.velocity, direction);
   }
   all_.push_back({direction, speed, &given});
   return true;
+}
+
+/// What a motion before it gives it already would have to be taken off its speed, at each time.
+void NodeDirections::require_across(const GivenDirection& given) const {
+  for (const Own& before : all_) {
+    if (before.given->held || std::abs(dot(given.direction, before.direction)) < 1e-6) continue;
+    throw InputError(fmt::format(
+        "{}: expected a direction across that of {}, which moves some of its nodes, too; got ({:.6g}, {:.6g}, "
+        "{:.6g}) and ({:.6g}, {:.6g}, {:.6g}): give both along one pair of axes",
+        scene_->prescribed_velocities[given.table].nodes.where,
+        scene_->prescribed_velocities[before.given->table].nodes.where, given.direction[0], given.direction[1],
+        given.direction[2], before.direction[0], before.direction[1], before.direction[2]));
+  }
 }
 
 void NodeDirections::clear() {

@@ -32,12 +32,15 @@ class NodeDirections {
   /// Both have to stay where they are.
   explicit NodeDirections(const Scene& scene) : scene_(&scene) {}
 
-  /// false: it is along those before it, which decide.
+  /// false: it is along those before it, which decide. Throws InputError for a speed along a direction that is neither
+  /// along nor across those in which the node moves.
   bool add(const GivenDirection& given);
   const std::vector<Own>& all() const { return all_; }
   void clear();
 
  private:
+  void require_across(const GivenDirection& given) const;
+
   const Scene* scene_;
   std::vector<Point> basis_;
   std::vector<Own> all_;

@@ -49,6 +49,24 @@ TEST(OpposedMotions, ByAConstraintAreNamed) {
   EXPECT_THAT(opposed(scene), IsEmpty()) << "held in either way";
 }
 
+/// The second had the speed that it would have if the first did not move: it came out wrong, without a word.
+TEST(OpposedMotions, AtAnAngleAreRefused) {
+  Scene scene = moved_bar();
+  scene.prescribed_velocities.push_back(scene.prescribed_velocities[0]);
+  PrescribedVelocity& slanted = scene.prescribed_velocities[1];
+  slanted.nodes.where = "slanted";
+  slanted.direction = {0.6, 0.8, 0};
+  EXPECT_THAT(
+      error_of([&] { Solver<double> solver(scene); }),
+      HasSubstr("slanted: expected a direction across that of pull, which moves some of its nodes, too; got (0.6, "
+                "0.8, 0) and (1, 0, 0)"));
+  slanted.direction = {0, 0.6, 0.8};
+  EXPECT_NO_THROW(Solver<double>{scene}) << "at right angles";
+  slanted.nodes.plane = Plane{{0, 0, 0}, {1, 0, 0}};
+  slanted.direction = {0.6, 0.8, 0};
+  EXPECT_NO_THROW(Solver<double>{scene}) << "of other nodes";
+}
+
 TEST(OpposedMotions, ByDirectionsTogetherAreNamed) {
   Scene scene = moved_bar();
   scene.prescribed_velocities[0].direction = {0.6, 0.8, 0};
