@@ -23,13 +23,17 @@ Array<S>& Solver<S>::change_velocities() {
   if (subcycling() != nullptr) {
     throw InputError("velocities: expected time.subcycling = false, with it they cannot be changed");
   }
-  if (!kinetic_before_change_) kinetic_before_change_ = kinetic_energy(model());
+  if (!kinetic_before_change_) {
+    kinetic_before_change_ = kinetic_energy(model());
+    if (tied_.any()) tied_.keep_velocities(change_model());
+  }
   return change_model().nodes.velocity;
 }
 
 template <class S>
 void Solver<S>::take_changed_velocities() {
   if (rigid_.any()) rigid_.take_velocities(model_);
+  if (tied_.any()) tied_.take_velocities(model_);
   const double added = kinetic_energy(model_) - *kinetic_before_change_;
   kinetic_before_change_.reset();
   schedule_.forget_resting();

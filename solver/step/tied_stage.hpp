@@ -38,6 +38,8 @@ class TiedStage {
   void put_accelerations(Model<S>& model) const {
     nodes_.put_accelerations(model.nodes.inverse_mass.data(), model.nodes.force.data());
   }
+  void keep_velocities(Model<S>& model) { nodes_.keep_velocities(motion_of(model)); }
+  void take_velocities(Model<S>& model) { nodes_.take_velocities(motion_of(model)); }
   void follow(Model<S>& model) const { nodes_.follow(motion_of(model)); }
   void persist(StateArchive& archive, Model<S>& model) { nodes_.persist(archive, motion_of(model)); }
   std::size_t bytes() const { return nodes_.bytes(); }

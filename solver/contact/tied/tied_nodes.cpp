@@ -77,6 +77,11 @@ double TiedNodes<S>::kinetic(const TiedMotion<S>& motion) const {
 /// From the ties that were to those that are: what is let go gets its mass back, what is tied gives its momentum to the
 /// corners.
 template <class S>
+std::size_t TiedNodes<S>::place_of_mass(std::int32_t node) const {
+  return std::ranges::lower_bound(mass_, node, {}, &std::pair<std::int32_t, double>::first) - mass_.begin();
+}
+
+template <class S>
 void TiedNodes<S>::join(const TiedMotion<S>& motion, const std::vector<std::uint8_t>& before) {
   const double energy = kinetic(motion);
   const std::vector<std::uint8_t> now = active_;
@@ -86,11 +91,6 @@ void TiedNodes<S>::join(const TiedMotion<S>& motion, const std::vector<std::uint
   active_ = now;
   set_masses(motion);
   std::vector<std::array<double, 3>> momentum(mass_.size(), {0, 0, 0});
-  const auto place = [this](std::int32_t n) {
-    const auto found = std::lower_bound(mass_.begin(), mass_.end(), n,
-                                        [](const auto& m, std::int32_t node) { return m.first < node; });
-    return static_cast<std::size_t>(found - mass_.begin());
-  };
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (before[i] != 0 || now[i] == 0) continue;
     const TiedNode& tied = nodes_[i];
@@ -99,7 +99,7 @@ void TiedNodes<S>::join(const TiedMotion<S>& motion, const std::vector<std::uint
     for (std::size_t c = 0; c < 3; ++c) {
       double foot = 0;
       for (std::size_t k = 0; k < 4; ++k) {
-        momentum[place(tied.corner[k])][c] +=
+        momentum[place_of_mass(tied.corner[k])][c] +=
             tied.weight[k] * mass * static_cast<double>(record(motion.velocity, tied.node)[c]);
         foot += tied.weight[k] * static_cast<double>(record(motion.position, tied.corner[k])[c]);
       }
@@ -119,6 +119,41 @@ void TiedNodes<S>::join(const TiedMotion<S>& motion, const std::vector<std::uint
   }
   follow(motion);
   lost_ += energy - kinetic(motion);
+}
+
+template <class S>
+void TiedNodes<S>::keep_velocities(const TiedMotion<S>& motion) {
+  kept_.resize(mass_.size());
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) kept_[i][c] = static_cast<double>(record(motion.velocity, mass_[i].first)[c]);
+  }
+}
+
+template <class S>
+void TiedNodes<S>::take_velocities(const TiedMotion<S>& motion) {
+  if (kept_.empty()) return;
+  const auto change = [&](std::size_t i, std::size_t c) {
+    return static_cast<double>(record(motion.velocity, mass_[i].first)[c]) - kept_[i][c];
+  };
+  std::vector<std::array<double, 3>> momentum(mass_.size(), {0, 0, 0});
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (active_[i] == 0) continue;
+    const std::size_t own = place_of_mass(nodes_[i].node);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double mass = nodes_[i].weight[k] * mass_[own].second;
+      std::array<double, 3>& given = momentum[place_of_mass(nodes_[i].corner[k])];
+      for (std::size_t c = 0; c < 3; ++c) given[c] += mass * change(own, c);
+    }
+  }
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const auto [node, own] = mass_[i];
+    const double mass = (*motion.node_mass)[static_cast<std::size_t>(node)];
+    if (!(mass > own)) continue;
+    for (std::size_t c = 0; c < 3; ++c)
+      record(motion.velocity, node)[c] = static_cast<S>(kept_[i][c] + (own * change(i, c) + momentum[i][c]) / mass);
+  }
+  kept_.clear();
+  follow(motion);
 }
 
 template <class S>
@@ -193,7 +228,8 @@ void TiedNodes<S>::persist(StateArchive& archive, const TiedMotion<S>& motion) {
   if (nodes_.empty()) return;
   archive.of_fixed_size(active_);
   archive.of_fixed_size(offset_);
-  archive(lost_);
+  archive(lost_, kept_);
+  archive.require(kept_.empty() || kept_.size() == mass_.size());
   for (const std::uint8_t active : active_) archive.require(active <= 1);
   if (!archive.reads()) return;
   set_masses(motion);

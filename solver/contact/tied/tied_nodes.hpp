@@ -69,6 +69,10 @@ class TiedNodes {
   /// Accelerations of the tied nodes, in the place of their forces, which are zero: where the work of what acts on them
   /// is counted. force: of the corners all that acts on them, given by records of four.
   void put_accelerations(const S* inverse_mass, S* force) const;
+  /// Keeps the velocities of tied nodes and corners, which a host may change then.
+  void keep_velocities(const TiedMotion<S>& motion);
+  /// Gives the corners the momentum by which a host has changed that of the tied nodes since.
+  void take_velocities(const TiedMotion<S>& motion);
   /// Puts tied nodes where their corners take them, with their velocities.
   void follow(const TiedMotion<S>& motion) const;
   /// The tie of a node at present; null: it has none.
@@ -88,6 +92,7 @@ class TiedNodes {
   std::size_t bytes() const;
 
  private:
+  std::size_t place_of_mass(std::int32_t node) const;
   void set_masses(const TiedMotion<S>& motion);
   void join(const TiedMotion<S>& motion, const std::vector<std::uint8_t>& before);
   double kinetic(const TiedMotion<S>& motion) const;
@@ -98,6 +103,7 @@ class TiedNodes {
   std::vector<std::array<double, 3>> offset_;          ///< d, per tied node [length]
   std::vector<std::int32_t> place_;                    ///< per node of the store: among nodes_ if it is tied; -1
   std::vector<std::pair<std::int32_t, double>> mass_;  ///< of tied nodes and corners, without ties [mass]
+  std::vector<std::array<double, 3>> kept_;            ///< velocities of these, before a host changes them
   Array<S> free_inverse_mass_;
   double lost_ = 0;
 };
