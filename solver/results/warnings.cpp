@@ -154,6 +154,12 @@ std::vector<std::string> start_warnings(const RunSummary& summary) {
           "with the finer mesh as first",
           tied_text(tied), counted(tied.open, "node"), tied.open == 1 ? "lies" : "lie"));
     }
+    if (tied.free > 0) {
+      found.push_back(fmt::format(
+          "contact.tied {}, and {} of these {} held in directions in which the faces that they follow may move, which "
+          "decide: hold the nodes of the faces",
+          tied_text(tied), tied.free, tied.free == 1 ? "is" : "are"));
+    }
   }
   found.insert(found.end(), summary.near_nodes.begin(), summary.near_nodes.end());
   add_limits_of_contact(summary, found);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <kernels/face_projection.hpp>
 #include <solver/base/error.hpp>
@@ -12,6 +13,7 @@
 #include <solver/contact/search/box_pairs.hpp>
 #include <solver/model/element_checks.hpp>
 #include <solver/model/exposed_faces.hpp>
+#include <solver/model/given_directions.hpp>
 #include <solver/model/place_names.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
@@ -64,15 +66,37 @@ class TieSearch {
   }
 
  private:
+  /// Nodes that are moved as prescribed, or held in all directions, by whatever constraints together.
   void find_held() {
     held_.assign(mesh_.nodes.size(), 0);
-    const auto hold = [this](const NodeSelection& nodes) {
-      for (const std::int32_t n : matching_nodes(mesh_, nodes)) held_[n] = 1;
-    };
-    for (const FixedConstraint& fixed : scene_.fixed_constraints) {
-      if (fixed.directions.size() >= 3) hold(fixed.nodes);
+    directions_ = given_directions(scene_, mesh_);
+    std::ranges::stable_sort(directions_, {}, &GivenDirection::node);
+    for (const GivenDirection& given : directions_) {
+      if (!given.held) held_[given.node] = 1;
     }
-    for (const PrescribedVelocity& given : scene_.prescribed_velocities) hold(given.nodes);
+    NodeDirections of_node(scene_);
+    for (std::size_t i = 0; i < directions_.size(); ++i) {
+      if (i == 0 || directions_[i].node != directions_[i - 1].node) of_node.clear();
+      if (directions_[i].held) of_node.add(directions_[i]);
+      if (of_node.all().size() == 3) held_[directions_[i].node] = 1;
+    }
+  }
+  std::span<const GivenDirection> directions_of(std::int32_t node) const {
+    return {std::ranges::lower_bound(directions_, node, {}, &GivenDirection::node),
+            std::ranges::upper_bound(directions_, node, {}, &GivenDirection::node)};
+  }
+  /// Whether a node is held in a direction in which a corner that it follows may move.
+  bool is_held_beside(std::int32_t node, const Face& face, const std::array<double, 4>& weight) const {
+    const std::span<const GivenDirection> own = directions_of(node);
+    for (std::size_t k = 0; k < 4 && !own.empty(); ++k) {
+      if (!(weight[k] > nothing)) continue;
+      NodeDirections of_corner(scene_);
+      for (const GivenDirection& given : directions_of(face.node[k])) {
+        if (given.held) of_corner.add(given);
+      }
+      if (std::ranges::any_of(own, [&](const GivenDirection& held) { return of_corner.add(held); })) return true;
+    }
+    return false;
   }
 
   /// Calls visit(element, nodes) for the faces of a side.
@@ -138,6 +162,7 @@ class TieSearch {
         ++count.taken;
       } else {
         ++count.nodes;
+        if (is_held_beside(node, face, foot.weight)) ++count.free;
         tied_[node] = 1;
         for (const std::int32_t corner : face.node) is_corner_[corner] = 1;
         ties_.push_back({node, face.node, foot.weight, face.element, number});
@@ -270,6 +295,7 @@ class TieSearch {
   const Scene& scene_;
   ModelMesh& mesh_;
   std::vector<std::uint8_t> exposed_, held_;
+  std::vector<GivenDirection> directions_;      ///< by nodes
   std::vector<std::uint8_t> tied_, is_corner_;  ///< per node
   std::vector<TiedNode> ties_;
 };

@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <solver/results/warnings.hpp>
+#include <tests/support/solver_case.hpp>
+
+/// Constraints of nodes that are tied to faces.
+namespace pinball::test::tied_held_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A block of 3^3 elements on one of 2^3, tied to it.
+Scene glued() {
+  Scene scene =
+      scene_of({block("low", {2, 2, 2}, 0.3, {0, 0, 0}), block("high", {3, 3, 3}, 0.2, {0, 0, 0.6})}, 2e-4, false);
+  TiedContact tied;
+  tied.name = "glue";
+  tied.first.bodies = {"high"};
+  tied.second.bodies = {"low"};
+  scene.tied_contacts = {tied};
+  return scene;
+}
+
+FixedConstraint hold(const std::string& body, double height, const std::vector<Point>& directions) {
+  FixedConstraint fixed;
+  fixed.nodes.where = "clamp";
+  fixed.nodes.body = body;
+  fixed.nodes.plane = Plane{{0, 0, height}, {0, 0, 1}};
+  fixed.directions = directions;
+  return fixed;
+}
+
+TiedResult of(const Scene& scene) { return Solver<double>(scene).model().tie_counts.at(0); }
+
+/// Constraints of one body were looked at one by one: held along x, and along y and z by another, nodes were tied and
+/// fell.
+TEST(TiedNodesThatAreHeld, AreSoByAllConstraintsTogether) {
+  Scene scene = glued();
+  scene.fixed_constraints = {hold("high", 0.6, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})};
+  EXPECT_EQ(of(scene).held, 16);
+  scene.fixed_constraints = {hold("high", 0.6, {{1, 0, 0}}), hold("high", 0.6, {{0, 1, 0}, {0, 0.6, 0.8}})};
+  EXPECT_EQ(of(scene).held, 16);
+  EXPECT_EQ(of(scene).nodes, 0);
+  scene.constraints = {{{0, 0, 0.6}, {0, 0, 1}, "high"}};
+  scene.fixed_constraints = {hold("high", 0.6, {{1, 0, 0}, {0, 1, 0}})};
+  EXPECT_EQ(of(scene).held, 16);
+}
+
+/// The faces decide, and a constraint of tied nodes alone does nothing: that is told.
+TEST(TiedNodesThatAreHeld, InPartAreToldWhereTheirFacesAreFree) {
+  Scene scene = glued();
+  scene.fixed_constraints = {hold("high", 0.6, {{0, 0, 1}})};
+  EXPECT_EQ(of(scene).nodes, 16);
+  EXPECT_EQ(of(scene).free, 16);
+  RunSummary summary;
+  summary.tied = {of(scene)};
+  EXPECT_THAT(
+      start_warnings(summary),
+      ElementsAre(HasSubstr("contact.tied glue: 16 nodes are tied, and 16 of these are held in directions in which")));
+  scene.fixed_constraints.push_back(hold("low", 0.6, {{0, 0, 1}}));
+  EXPECT_EQ(of(scene).free, 0) << "the faces are held, too";
+  scene.fixed_constraints = {hold("high", 0.6, {{1, 0, 0}}), hold("low", 0.6, {{0, 0, 1}})};
+  EXPECT_EQ(of(scene).free, 16) << "along another direction";
+  PrescribedVelocity first, second;
+  first.nodes = second.nodes = scene.fixed_constraints[1].nodes;
+  first.direction = Point{1, 0, 0};
+  first.when.end = 1e-4;
+  second.direction = Point{0.6, 0.8, 0};
+  second.when.start = 1e-4;
+  scene.prescribed_velocities = {first, second};
+  EXPECT_EQ(of(scene).free, 16) << "while these move, one after the other";
+}
+
+/// Of the symmetry of a whole model nothing is to be told.
+TEST(TiedNodesThatAreHeld, BySymmetryAreNotTold) {
+  Scene scene = glued();
+  scene.constraints = {{{0, 0, 0}, {1, 0, 0}, ""}, {{0, 0, 0}, {0, 1, 0}, ""}};
+  EXPECT_EQ(of(scene).nodes, 16);
+  EXPECT_EQ(of(scene).free, 0);
+  EXPECT_EQ(of(scene).held, 0);
+}
+
+}  // namespace
+}  // namespace pinball::test::tied_held_test
