@@ -17,9 +17,9 @@ double EnergyLedger::balance_error() const { return relative(difference(), std::
 
 double EnergyLedger::balance_error_in_motion() const { return relative(difference(), in_motion()); }
 
-void EnergyLedger::set_drift(double drift, double rounding) {
+void EnergyLedger::set_drift(double drift, double rounding, double at_rest) {
   drift_ = drift;
-  least_in_motion_ = rounding * drift;
+  least_in_motion_ = std::max(rounding * drift, at_rest);
 }
 
 void EnergyLedger::book(const ElementWork& elements, const ContactWork& contact, double external, double dt_before) {

@@ -28,8 +28,9 @@ class EnergyLedger {
   /// Adds what a step has done. external: all work from outside so far; dt_before: the step that led to the forces.
   void book(const ElementWork& elements, const ContactWork& contact, double external, double dt_before);
   /// Before the first close(). drift: kinetic energy that all has by moving together [energy]; rounding: the part of it
-  /// below which what is left over is no more than what the numbers are rounded by [-].
-  void set_drift(double drift, double rounding);
+  /// below which what is left over is no more than what the numbers are rounded by [-]; at_rest: what rounding alone
+  /// moves [energy].
+  void set_drift(double drift, double rounding, double at_rest = 0);
   /// Where all elements are at one time: the total, and how far it is off.
   void close(bool first, double kinetic);
 

@@ -317,7 +317,7 @@ void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& elem
   watch_corners(element.inside_out_count);
   guards_.check_finite(energy);
   if (!due.all()) return;
-  if (due.first) ledger_.set_drift(drift_energy(model_, initial_momentum_), rounding<S>);
+  if (due.first) ledger_.set_drift(drift_energy(model_, initial_momentum_), rounding<S>, energy_at_rest(model_));
   ledger_.close(due.first, motion.kinetic);
   clock_.take_change(motion.change, ledger_.in_motion());
   watch_energies();

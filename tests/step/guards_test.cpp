@@ -244,5 +244,23 @@ TEST(Guards, AStepThatMovesTheTimeNoFurtherEndsTheRun) {
                     HasSubstr("the step is set by element 3 of body a")));
 }
 
+/// What holds a rigid body against its weight moves it by nothing but rounding, whose energies balance by chance.
+TEST(Guards, DoNotStopWhatRoundingMoves) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.5, {0, 0, 0})}, 15);
+  RigidBody rigid;
+  rigid.name = "a";
+  rigid.bodies = {"a"};
+  scene.rigid_bodies = {rigid};
+  RigidMotion held;
+  held.rigid_body = "a";
+  held.direction = Point{0, 0, -1};
+  scene.rigid_motions = {held};
+  scene.gravities = {{{0, 0, -0.02}, {}}};
+  scene.time.steps = 50;
+  Solver<double> solver(scene);
+  EXPECT_NO_THROW(run(solver));
+  EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-9);
+}
+
 }  // namespace
 }  // namespace pinball::guards_test

@@ -1,5 +1,6 @@
 #include "drift_energy.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace pinball {
@@ -29,7 +30,22 @@ class HeldSpace {
   std::vector<Point> basis_;
 };
 
+template <class S>
+double mass_of_nodes(const Model<S>& model) {
+  double mass = 0;
+  for (const double m : model.node_mass) mass += m;
+  return mass;
+}
+
 }  // namespace
+
+template <class S>
+double energy_at_rest(const Model<S>& model) {
+  double fastest = 0;
+  for (const ElementConstants<S>& c : model.constants)
+    fastest = std::max(fastest, static_cast<double>(c.material.sound_speed));
+  return 0.5e-26 * mass_of_nodes(model) * fastest * fastest;
+}
 
 template <class S>
 double drift_energy(const Model<S>& model, const Point& momentum) {
@@ -53,14 +69,15 @@ double drift_energy(const Model<S>& model, const Point& momentum) {
   for (const RigidMotion& motion : scene.rigid_motions) {
     if (motion.direction) held.add(*motion.direction);
   }
-  double mass = 0;
-  for (const double m : model.node_mass) mass += m;
+  const double mass = mass_of_nodes(model);
   if (!(mass > 0)) return 0;
   Point velocity = momentum;  // whose square overflows later than that of the momentum
   for (double& v : velocity) v /= mass;
   return 0.5 * mass * held.square_of_rest(velocity);
 }
 
+template double energy_at_rest(const Model<double>&);
+template double energy_at_rest(const Model<float>&);
 template double drift_energy(const Model<double>&, const Point&);
 template double drift_energy(const Model<float>&, const Point&);
 
