@@ -82,7 +82,7 @@ TEST(LookAtContact, FollowsGravityPrescribedMotionLoadsAndRebounds) {
   EXPECT_EQ(decided(moved), ContactMethod::none);
   moved.prescribed_velocities[0].velocity = {0, 0, -2};
   moved.prescribed_velocities[0].when.end = 0.4;
-  EXPECT_EQ(decided(moved), ContactMethod::none);
+  EXPECT_EQ(decided(moved), ContactMethod::pinball);  // and coasts
 
   Scene loaded = two_cubes({});
   NodalLoad load;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <solver/base/error.hpp>
+#include <solver/base/moments_of_inertia.hpp>
 #include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
@@ -11,39 +11,52 @@ namespace pinball {
 
 namespace {
 
-/// Of a prescribed motion, as a multiple of what stands beside its table; of an acceleration beside the motion that is
-/// there when it begins.
-template <class Motion>
-double displacement(const Motion& given, double time) {
-  const double from = std::max(0.0, given.when.start), to = std::min(time, given.when.end);
-  if (to <= from) return 0;
-  switch (given.quantity) {
-    case MotionQuantity::velocity:
-      return given.table.integral(to) - given.table.integral(from);
-    case MotionQuantity::displacement:
-      return given.table.value(to) - given.table.value(from);
-    case MotionQuantity::acceleration:
-      break;
-  }
-  const double speed_before = given.table.integral(from);
-  return given.table.second_integral(to) - given.table.second_integral(from) - (to - from) * speed_before +
-         (time - to) * (given.table.integral(to) - speed_before);
-}
-
 Point times(double factor, const Point& vector) { return {factor * vector[0], factor * vector[1], factor * vector[2]}; }
+Point sum(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
+/// Mass, its centre, and its moments of inertia about that, of a mover, by the corners of its elements.
+struct Weight {
+  double mass = 0;
+  Point centre{};
+  std::array<Point, 3> inertia{};
+
+  /// Angular acceleration by a moment [1/time^2].
+  Point turned_by(const Point& moment) const {
+    const Point first = cross(inertia[1], inertia[2]), second = cross(inertia[2], inertia[0]),
+                third = cross(inertia[0], inertia[1]);
+    const double determinant = dot(inertia[0], first);
+    if (!(determinant > 0)) return {};
+    Point turned;
+    for (std::size_t k = 0; k < 3; ++k)
+      turned[k] = (first[k] * moment[0] + second[k] * moment[1] + third[k] * moment[2]) / determinant;
+    return turned;
+  }
+};
+
+/// Whether a direction is that of an axis, and of which: otherwise 3.
+std::size_t axis_of(const Point& direction) {
+  const double length = norm(direction);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(direction[k]) >= (1 - 1e-9) * length) return k;
+  }
+  return 3;
+}
 
 /// Nodes of each group; what acts on nodes of several acts on all of these.
 class DrivenMotions {
  public:
   DrivenMotions(const Scene& scene, const ModelMesh& mesh, const std::vector<std::int32_t>& group, std::size_t groups,
                 const std::vector<double>& times)
-      : scene_(scene), mesh_(mesh), group_(group), times_(times), all_(groups), nodes_(groups, 0), mass_(groups, 0.0) {
+      : scene_(scene), mesh_(mesh), group_(group), times_(times), all_(groups), nodes_(groups, 0), weight_(groups) {
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) ++nodes_[group_of(n)];
     for (DrivenMotion& own : all_) {
       own.moved.resize(times.size());
-      own.pushed.assign(times.size(), Extent{{}, {}});
+      own.pushed.assign(times.size(), Point{});
+      own.push_rate.assign(times.size(), Point{});
+      own.carried.assign(times.size(), 0.0);
     }
     if (!scene.loads.empty() || !scene.pressures.empty()) weigh();
+    swing_.assign(groups, std::vector<Point>(weighed_ ? times.size() : 0, Point{}));
   }
 
   std::vector<DrivenMotion> find() {
@@ -53,6 +66,7 @@ class DrivenMotions {
     for (const Gravity& gravity : scene_.gravities) fall(gravity);
     for (const NodalLoad& load : scene_.loads) push(load);
     for (const Pressure& pressure : scene_.pressures) press(pressure);
+    for (std::size_t g = 0; g < all_.size(); ++g) let_swing(all_[g], swing_[g]);
     return std::move(all_);
   }
 
@@ -64,18 +78,55 @@ class DrivenMotions {
     for (const std::int32_t n : matching_nodes(mesh_, selection)) ++count[group_of(n)];
     return count;
   }
+  /// Rigid bodies by the mass that they are given.
   void weigh() {
+    weighed_ = true;
     const std::vector<std::size_t> material = material_of_bodies(scene_);
-    for (std::size_t e = 0; e < mesh_.hexahedra.size(); ++e) {
-      const std::size_t body = mesh_.body[e];
-      mass_[group_[body]] += scene_.materials[material[body]].density * element_volume(mesh_, e);
+    std::vector<double> mass(scene_.bodies.size(), 0.0), share(mass.size(), 1.0);
+    const auto mass_of = [&](std::size_t e) {
+      return scene_.materials[material[mesh_.body[e]]].density * element_volume(mesh_, e);
+    };
+    for (std::size_t e = 0; e < mesh_.hexahedra.size(); ++e) mass[mesh_.body[e]] += mass_of(e);
+    const std::vector<std::int32_t> rigid = rigid_body_of_bodies(scene_);
+    std::vector<double> of_rigid(scene_.rigid_bodies.size(), 0.0);
+    for (std::size_t b = 0; b < mass.size(); ++b) {
+      if (rigid[b] >= 0) of_rigid[rigid[b]] += mass[b];
+    }
+    for (std::size_t b = 0; b < mass.size(); ++b) {
+      if (rigid[b] >= 0 && scene_.rigid_bodies[rigid[b]].mass > 0 && of_rigid[rigid[b]] > 0)
+        share[b] = scene_.rigid_bodies[rigid[b]].mass / of_rigid[rigid[b]];
+    }
+    const auto for_corners = [&](const auto& visit) {
+      for (std::size_t e = 0; e < mesh_.hexahedra.size(); ++e) {
+        const double of_corner = share[mesh_.body[e]] * mass_of(e) / 8;
+        for (const std::int32_t n : mesh_.hexahedra[e])
+          visit(weight_[group_[mesh_.body[e]]], of_corner, mesh_.nodes[n]);
+      }
+    };
+    for_corners([](Weight& own, double m, const Point& x) {
+      own.mass += m;
+      own.centre = sum(own.centre, times(m, x));
+    });
+    for (Weight& own : weight_) {
+      if (own.mass > 0) own.centre = times(1 / own.mass, own.centre);
+    }
+    for_corners([](Weight& own, double m, const Point& x) { add_moments(own.inertia, m, minus(x, own.centre)); });
+    for (const RigidBody& given : scene_.rigid_bodies) {
+      Weight& own = weight_[group_of(given)];
+      const double trace = given.inertia[0][0] + given.inertia[1][1] + given.inertia[2][2];
+      if (given.bodies.empty() || !(trace > 0) || given.bodies.size() != bodies_of(given)) continue;
+      own.inertia = given.inertia;
+      own.centre = given.centre.value_or(own.centre);
     }
   }
 
   void hold() {
     for (const PlaneConstraint& plane : scene_.constraints) stop(counts(nodes_of(plane)), {plane.normal});
     for (const FixedConstraint& fixed : scene_.fixed_constraints) {
-      if (fixed.frame == Frame::global) stop(counts(fixed.nodes), fixed.directions, fixed.when.always());
+      const std::vector<std::int64_t> count = counts(fixed.nodes);
+      if (fixed.frame == Frame::global) stop(count, fixed.directions, fixed.when.always());
+      for (std::size_t g = 0; g < all_.size(); ++g)
+        all_[g].guided = all_[g].guided || (fixed.frame != Frame::global && count[g] > 0);
     }
     for (const RigidBody& rigid : scene_.rigid_bodies) hold(rigid);
   }
@@ -93,6 +144,7 @@ class DrivenMotions {
     DrivenMotion& own = motion_of(rigid);
     if (rigid.held.size() == 3 && rigid.held_rotations.size() == 3 && !moved && rigid.bodies.size() == bodies_of(rigid))
       own.held = true;
+    own.turns_not = own.turns_not || rigid.held_rotations.size() == 3;
     for (const Point& d : rigid.held) {
       for (std::size_t k = 0; k < 3; ++k) own.stopped[k] = own.stopped[k] || std::abs(d[k]) > 0.5;
     }
@@ -111,46 +163,58 @@ class DrivenMotions {
 
   void prescribe(const PrescribedVelocity& given) {
     const std::vector<std::int64_t> count = counts(given.nodes);
+    const MotionCourse course = course_of(given, times_);
     for (std::size_t g = 0; g < all_.size(); ++g) {
-      if (count[g] == 0) continue;
-      DrivenMotion& own = all_[g];
-      own.in_part = own.in_part || count[g] < nodes_[g];
-      const bool adds = given.quantity == MotionQuantity::acceleration;
-      own.wholly = own.wholly || (count[g] == nodes_[g] && !given.direction && !adds);
-      double before = 0;
-      for (std::size_t j = 0; j < times_.size(); ++j) {
-        const double now = displacement(given, times_[j]);
-        take(own, j, times(now, given.velocity), adds);
-        if (j > 0) own.speed = std::max(own.speed, speed(now - before, j, given.velocity));
-        before = now;
-      }
+      if (count[g] > 0) prescribe(all_[g], given, course, given.direction, given.velocity, count[g] == nodes_[g]);
     }
   }
-  /// Of a direction that is given, others are free, but for those that are held.
   void prescribe(const RigidMotion& given) {
     const RigidBody& rigid = scene_.rigid_bodies[rigid_body_of_name(scene_, given.rigid_body)];
     DrivenMotion& own = motion_of(rigid);
-    own.in_part = own.in_part || rigid.bodies.empty();
-    double before = 0;
+    const MotionCourse course = course_of(given, times_);
+    own.in_part = own.in_part || rigid.bodies.size() != bodies_of(rigid);
+    if (!given.axis) {
+      prescribe(own, given, course, given.direction, times(given.speed, *given.direction), !rigid.bodies.empty());
+      return;
+    }
+    double most = 0;
+    for (std::size_t j = 0; j < times_.size(); ++j)
+      most = std::max({most, std::abs(course.low[j]), std::abs(course.high[j]), std::abs(coasted(given, course, j))});
+    own.turned += most * std::abs(given.angular_speed);
+  }
+  /// Of a direction that is given, others are free, but for those that are held. whole: all nodes are moved.
+  template <class Motion>
+  void prescribe(DrivenMotion& own, const Motion& given, const MotionCourse& course,
+                 const std::optional<Point>& direction, const Point& vector, bool whole) {
+    const bool adds = given.quantity == MotionQuantity::acceleration;
+    const bool always = course.from <= 0 && course.to >= times_.back();
+    const std::size_t axis = direction ? axis_of(*direction) : 3;
+    own.in_part = own.in_part || !whole;
+    own.guided = own.guided || (direction && axis == 3);
+    own.wholly = own.wholly || (whole && !direction && !adds && always);
+    for (std::size_t j = 1; j < times_.size(); ++j)
+      own.speed = std::max(own.speed, speed(course.way[j] - course.way[j - 1], j, vector));
+    if (whole && (!direction || axis < 3)) {
+      WholeMotion& motion = own.whole.emplace_back(WholeMotion{{}, vector, adds, course});
+      for (std::size_t k = 0; k < 3; ++k) motion.along[k] = !direction || k == axis;
+      return;
+    }
     for (std::size_t j = 0; j < times_.size(); ++j) {
-      const double now = displacement(given, times_[j]);
-      if (given.axis) {
-        own.turned = std::max(own.turned, std::abs(now * given.angular_speed));
+      if (adds) {
+        own.pushed[j] = sum(own.pushed[j], times(course.way[j], vector));
+        own.push_rate[j] = sum(own.push_rate[j], times(course.rate[j], vector));
       } else {
-        const Point way = times(given.speed, *given.direction);
-        take(own, j, times(now, way), given.quantity == MotionQuantity::acceleration);
-        if (j > 0) own.speed = std::max(own.speed, speed(now - before, j, way));
+        own.moved[j].take(times(course.low[j], vector));
+        own.moved[j].take(times(course.high[j], vector));
+        if (!always) own.carried[j] += std::abs(coasted(given, course, j)) * norm(vector);
       }
-      before = now;
     }
   }
-  /// adds: to the motion that is there.
-  static void take(DrivenMotion& own, std::size_t j, const Point& way, bool adds) {
-    if (adds) {
-      own.pushed[j] = own.pushed[j] + Extent{way, way};
-    } else {
-      own.moved[j].take(way);
-    }
+  /// The way, if it goes on as it ended.
+  template <class Motion>
+  double coasted(const Motion& given, const MotionCourse& course, std::size_t j) const {
+    const bool adds = given.quantity == MotionQuantity::acceleration;
+    return course.way[j] + (adds ? 0.0 : std::max(0.0, times_[j] - course.to) * course.rate[j]);
   }
   double speed(double change, std::size_t j, const Point& vector) const {
     return std::abs(change) * norm(vector) / (times_[j] - times_[j - 1]);
@@ -165,33 +229,61 @@ class DrivenMotions {
       if (falls[g]) add(all_[g], gravity.acceleration, gravity.table, 0);
     }
   }
+  TimeCourse course_from(double start, const TimeTable& table) const {
+    std::vector<double> since = times_;
+    for (double& t : since) t -= start;
+    return time_course(table, since);
+  }
   void add(DrivenMotion& own, const Point& acceleration, const TimeTable& table, double start) const {
+    const TimeCourse course = course_from(start, table);
     for (std::size_t j = 0; j < times_.size(); ++j) {
-      if (times_[j] < start) continue;
-      const Point to = times(table.second_integral(times_[j] - start), acceleration);
-      own.pushed[j] = own.pushed[j] + Extent{to, to};
+      own.pushed[j] = sum(own.pushed[j], times(course.second[j], acceleration));
+      own.push_rate[j] = sum(own.push_rate[j], times(course.first[j], acceleration));
     }
+  }
+  /// moment: about the origin.
+  void add(std::size_t g, const Point& force, const Point& moment, const TimeTable& table, double start) {
+    const Weight& weight = weight_[g];
+    if (!(weight.mass > 0)) return;
+    add(all_[g], times(1 / weight.mass, force), table, start);
+    const Point turning = weight.turned_by(minus(moment, cross(weight.centre, force)));
+    const TimeCourse course = course_from(start, table);
+    for (std::size_t j = 0; j < times_.size(); ++j) swing_[g][j] = sum(swing_[g][j], times(course.second[j], turning));
+  }
+  static void let_swing(DrivenMotion& own, const std::vector<Point>& swing) {
+    const bool stopped = own.stopped[0] || own.stopped[1] || own.stopped[2];
+    if (own.held || own.wholly || own.in_part || own.turns_not || stopped) return;
+    for (const Point& angle : swing) own.swung = std::max(own.swung, norm(angle));
   }
 
   void push(const NodalLoad& load) {
-    const std::vector<std::int64_t> count = counts(load.nodes);
+    std::vector<double> count(all_.size(), 0.0);
+    std::vector<Point> places(all_.size(), Point{});
+    for (const std::int32_t n : matching_nodes(mesh_, load.nodes)) {
+      const std::size_t g = group_of(n);
+      count[g] += 1;
+      places[g] = sum(places[g], mesh_.nodes[n]);
+    }
     for (std::size_t g = 0; g < all_.size(); ++g) {
-      if (count[g] == 0 || !(mass_[g] > 0)) continue;
-      const double factor = (load.each ? count[g] : 1.0) / mass_[g];
-      add(all_[g], times(factor, load.force), load.table, 0);
+      if (!(count[g] > 0)) continue;
+      const Point force = times(load.each ? count[g] : 1.0, load.force);
+      add(g, force, times(1 / count[g], cross(places[g], force)), load.table, 0);
     }
   }
   /// With the directions in which its faces look now.
   void press(const Pressure& pressure) {
-    std::vector<Point> force(all_.size(), Point{});
+    std::vector<Point> force(all_.size(), Point{}), moment = force;
     for (const PressedFace& face : pressed_faces(mesh_, scene_.constraints, pressure)) {
       const auto at = [&](std::size_t i) { return mesh_.nodes[face.corners[i]]; };
       const Point area = cross(minus(at(2), at(0)), minus(at(3), at(1)));
-      Point& own = force[group_of(face.corners[0])];
-      for (std::size_t k = 0; k < 3; ++k) own[k] -= pressure.pressure * area[k] / 2;
+      const Point own = times(-pressure.pressure / 2, area);
+      const Point middle = times(0.25, sum(sum(at(0), at(1)), sum(at(2), at(3))));
+      const std::size_t g = group_of(face.corners[0]);
+      force[g] = sum(force[g], own);
+      moment[g] = sum(moment[g], cross(middle, own));
     }
     for (std::size_t g = 0; g < all_.size(); ++g) {
-      if (mass_[g] > 0) add(all_[g], times(1 / mass_[g], force[g]), pressure.table, pressure.start);
+      if (norm(force[g]) > 0 || norm(moment[g]) > 0) add(g, force[g], moment[g], pressure.table, pressure.start);
     }
   }
 
@@ -201,7 +293,9 @@ class DrivenMotions {
   const std::vector<double>& times_;
   std::vector<DrivenMotion> all_;
   std::vector<std::int64_t> nodes_;
-  std::vector<double> mass_;
+  std::vector<Weight> weight_;
+  bool weighed_ = false;
+  std::vector<std::vector<Point>> swing_;  ///< angles by which forces turn each group, at each time [rad]
 };
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include "meetings.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace pinball {
 
 namespace {
 
 constexpr std::size_t most_movers = 2000;
+constexpr double touching = 1e-6;  ///< distance within which bodies touch, over their size [-]
 
 using Moves = std::vector<Extent> Mover::*;
 
@@ -22,17 +26,25 @@ const MoverCell* cells_meet(const Mover& a, const Mover& b, const Extent& way, d
   return nullptr;
 }
 
-bool is_at_rest(const Mover& mover, Moves moves) { return (mover.*moves).back().reach() == 0 && mover.speed == 0; }
+/// What turns on the spot may strike what is beside it: that is possible, and no more is known.
+bool is_at_rest(const Mover& mover, Moves moves) {
+  if (mover.speed > 0 || (mover.turns && moves == &Mover::strayed)) return false;
+  return std::ranges::all_of(mover.*moves, [](const Extent& moved) { return moved.reach() == 0; });
+}
 
-std::optional<Meeting> meeting_of(const Mover& a, const Mover& b, const std::vector<double>& times, Moves moves) {
+/// near: distance within which they meet, over the size of the smaller one; negative: they go into each other [-].
+std::optional<Meeting> meeting_of(const Mover& a, const Mover& b, const std::vector<double>& times, Moves moves,
+                                  double near) {
   if (is_at_rest(a, moves) && is_at_rest(b, moves)) return {};
-  const double margin = 1e-6 * std::min(a.box.size(), b.box.size());
+  const double margin = near * std::min(a.box.size(), b.box.size());
   double speed = 0;
   Extent before = (a.*moves)[0] - (b.*moves)[0];
   for (std::size_t j = 1; j < times.size(); ++j) {
     const Extent now = (a.*moves)[j] - (b.*moves)[j], way = hull(before, now);
     const Extent change{minus(now.low, before.low), minus(now.high, before.high)};
-    speed = std::max({speed, norm(change.low), norm(change.high)});
+    const double time = times[j] - times[j - 1],
+                 even = std::abs(time - times[1]) < 1e-6 * times[1] ? 1 : times[1] / time;
+    speed = std::max({speed, even * norm(change.low), even * norm(change.high)});
     before = now;
     const MoverCell* of_b = nullptr;
     if (!overlap(a.box + way, b.box, margin)) continue;
@@ -60,10 +72,22 @@ void for_each_meeting(const Movers& movers, Moves moves, const Take& take) {
   const std::vector<Extent> boxes = swept(movers, moves);
   for (std::size_t a = 0; a < boxes.size(); ++a) {
     for (std::size_t b = a + 1; b < boxes.size(); ++b) {
-      if (!overlap(boxes[a], boxes[b], 1e-6 * movers.all[a].box.size())) continue;
-      if (const auto met = meeting_of(movers.all[a], movers.all[b], movers.times, moves)) take(*met);
+      if (!overlap(boxes[a], boxes[b], touching * movers.all[a].box.size())) continue;
+      const Mover &one = movers.all[a], &other = movers.all[b];
+      if (const auto met = meeting_of(one, other, movers.times, moves, touching)) take(*met, one, other);
     }
   }
+}
+
+/// Those that forces turn, as the spheres that they are then.
+Movers swung(const Movers& movers) {
+  Movers all = movers;
+  for (Mover& mover : all.all) {
+    if (!mover.sphere) continue;
+    mover.box = *mover.sphere;
+    mover.cells = {{mover.box, mover.bodies.front()}};
+  }
+  return all;
 }
 
 void keep_first(std::optional<Meeting>& first, const Meeting& met) {
@@ -78,16 +102,17 @@ Meetings find_meetings(const Movers& movers, const std::function<bool(std::int32
     meetings.possible = Meeting{movers.all[0].bodies.front(), movers.all[1].bodies.front(), 0, 0};
     return meetings;
   }
-  for_each_meeting(movers, &Mover::moved, [&](const Meeting& met) {
-    keep_first(meetings.expected, met);
-    if (!may_touch(met.first, met.second)) keep_first(meetings.passing, met);
+  for_each_meeting(movers, &Mover::moved, [&](const Meeting& met, const Mover& one, const Mover& other) {
+    keep_first(meetings.possible, met);
     if (!meetings.fastest || met.speed > meetings.fastest->speed) meetings.fastest = met;
+    const auto inside = meeting_of(one, other, movers.times, &Mover::moved, -touching);
+    if (!inside) return;  // what lies on another and leaves it, or slides
+    keep_first(meetings.expected, *inside);
+    if (!may_touch(inside->first, inside->second)) keep_first(meetings.passing, *inside);
   });
-  if (meetings.expected) {
-    meetings.possible = meetings.expected;
-  } else {
-    for_each_meeting(movers, &Mover::strayed, [&](const Meeting& met) { keep_first(meetings.possible, met); });
-  }
+  if (meetings.possible) return meetings;
+  for_each_meeting(swung(movers), &Mover::strayed,
+                   [&](const Meeting& met, const Mover&, const Mover&) { keep_first(meetings.possible, met); });
   return meetings;
 }
 

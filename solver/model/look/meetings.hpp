@@ -15,10 +15,11 @@ struct Meeting {
 };
 
 struct Meetings {
-  std::optional<Meeting> expected;  ///< the first of those that meet if all goes on as it begins
-  std::optional<Meeting> possible;  ///< the first of those that a deformation or a rebound may bring together
-  std::optional<Meeting> fastest;   ///< of the expected ones
-  std::optional<Meeting> passing;   ///< the first of the expected ones that may not touch
+  std::optional<Meeting> expected;  ///< the first of those that go into each other if all goes on as it begins
+  std::optional<Meeting>
+      possible;  ///< the first of those that touch and move, or that a deformation or a rebound may bring so far
+  std::optional<Meeting> fastest;  ///< of those that meet if all goes on as it begins
+  std::optional<Meeting> passing;  ///< the first of the expected ones that may not touch
 };
 
 /// Which of the movers meet, by the boxes of their cells; those that do not move beside each other do not. At most so

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include <solver/model/interfaces/ties.hpp>
 #include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
@@ -15,17 +16,17 @@ namespace pinball {
 
 namespace {
 
-constexpr std::size_t steps = 128;      ///< pieces that the time of the run is cut into
 constexpr std::size_t cells_along = 5;  ///< of a body, along each axis
 constexpr double turns = 0.05;          ///< an angle beyond which a mover is as good as turned all ways [rad]
 
-/// Bodies that have nodes in common, or are tied, or one rigid body takes along, have one number; numbers count from 0.
+/// Bodies that have nodes in common, or are tied all the time, or one rigid body takes along, have one number; numbers
+/// count from 0.
 class Groups {
  public:
   Groups(const Scene& scene, const ModelMesh& mesh) : group(scene.bodies.size()) {
     std::iota(group.begin(), group.end(), 0);
     join_by_nodes(mesh);
-    for (const TiedContact& tied : scene.tied_contacts) join(tied, scene);
+    join_tied(scene, mesh);
     const std::vector<std::int32_t> rigid = rigid_body_of_bodies(scene);
     join_rigid_bodies(rigid);
     join_attached(scene, mesh, rigid);
@@ -74,18 +75,16 @@ class Groups {
       }
     }
   }
-  /// Of sets only the file knows whose they are: all bodies of files are then taken for tied.
-  void join(const TiedContact& tied, const Scene& scene) {
-    std::vector<std::int32_t> members;
-    for (const ContactSide* side : {&tied.first, &tied.second}) {
-      const bool sets = !side->elements.empty() || !side->faces.empty() || !side->nodes.empty();
-      for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-        const Body& body = scene.bodies[b];
-        const bool named = std::ranges::find(side->bodies, body.name) != side->bodies.end();
-        if (named || (sets && std::holds_alternative<FileMesh>(body.mesh))) members.push_back(b);
-      }
+  /// By nodes that are tied: a tie may hold none. The ties that the model finds are not known here.
+  void join_tied(const Scene& scene, const ModelMesh& mesh) {
+    const auto lasts = [&scene](const TiedContact& tied) { return tied.start <= 0 && tied.end >= scene.time.end; };
+    if (std::ranges::none_of(scene.tied_contacts, lasts)) return;
+    ModelMesh found = mesh;
+    std::vector<TiedResult> counts;
+    for (const TiedNode& tied : find_ties(scene, found, counts)) {
+      if (!lasts(scene.tied_contacts[tied.tie])) continue;
+      for (const std::int32_t corner : tied.corner) join(mesh.body_of_node[tied.node], mesh.body_of_node[corner]);
     }
-    for (const std::int32_t member : members) join(member, members.front());
   }
 
   std::vector<std::int32_t> named_;
@@ -129,11 +128,11 @@ void cut_into_cells(const ModelMesh& mesh, const std::vector<std::int32_t>& grou
   }
 }
 
+Extent cube(const Point& c, double r) { return {{c[0] - r, c[1] - r, c[2] - r}, {c[0] + r, c[1] + r, c[2] + r}}; }
+
 /// What turns is a sphere about its centre, as far as anybody knows.
 void make_round(Mover& mover, const InitialMotion& motion) {
-  const Point& c = motion.centre;
-  const double r = motion.radius;
-  mover.box = {{c[0] - r, c[1] - r, c[2] - r}, {c[0] + r, c[1] + r, c[2] + r}};
+  mover.box = cube(motion.centre, motion.radius);
   mover.cells = {{mover.box, mover.bodies.front()}};
 }
 
@@ -146,34 +145,95 @@ Extent scaled(const Extent& velocity, double time) {
   return box;
 }
 
+/// The motion of all nodes that acts along an axis at a time; null: none does.
+const WholeMotion* acting(const DrivenMotion& driven, std::size_t axis, double time) {
+  const WholeMotion* last = nullptr;
+  for (const WholeMotion& motion : driven.whole) {
+    if (motion.along[axis] && motion.course.from <= time && time < motion.course.to) last = &motion;
+  }
+  return last;
+}
+
+/// Displacements along an axis, at each time, of what is free while nothing moves all of it: with the velocity that it
+/// has then, and pushed or not.
+void follow(const InitialMotion& initial, const DrivenMotion& driven, std::size_t k, bool is_pushed,
+            const std::vector<double>& times, std::vector<Extent>& places) {
+  double low = 0, high = 0, slowest = initial.velocity.low[k], fastest = initial.velocity.high[k];
+  for (std::size_t j = 0; j < times.size(); ++j) {
+    double least = 0, most = 0;  // on the way here, beside where it is now
+    if (j > 0) {
+      const double h = times[j] - times[j - 1];
+      double way = 0, change = 0;
+      if (const WholeMotion* motion = acting(driven, k, times[j] - h / 2)) {
+        const MotionCourse& course = motion->course;
+        const double one = motion->vector[k] * (course.low[j] - course.way[j]);
+        const double other = motion->vector[k] * (course.high[j] - course.way[j]);
+        least = std::min(one, other);
+        most = std::max(one, other);
+        way = motion->vector[k] * (course.way[j] - course.way[j - 1]);
+        if (motion->adds) {
+          way -= h * motion->vector[k] * course.rate[j - 1];
+          change = motion->vector[k] * (course.rate[j] - course.rate[j - 1]);
+        } else {
+          slowest = fastest = 0;
+          change = motion->vector[k] * course.rate[j];
+        }
+      } else if (is_pushed) {
+        way = driven.pushed[j][k] - driven.pushed[j - 1][k] - h * driven.push_rate[j - 1][k];
+        change = driven.push_rate[j][k] - driven.push_rate[j - 1][k];
+      }
+      low += slowest * h + way;
+      high += fastest * h + way;
+      slowest += change;
+      fastest += change;
+    }
+    places[j].low[k] = low + least;
+    places[j].high[k] = high + most;
+  }
+}
+
+/// Displacements at each time. stopped: directions in which nothing pushes it.
+std::vector<Extent> ways(const InitialMotion& initial, const DrivenMotion& driven, const std::array<bool, 3>& stopped,
+                         const std::vector<double>& times) {
+  std::vector<Extent> places;
+  for (std::size_t j = 0; j < times.size(); ++j) {
+    Point pushed = driven.pushed[j];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (stopped[k]) pushed[k] = 0;
+    }
+    places.push_back(scaled(initial.velocity, times[j]) + Extent{pushed, pushed});
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const bool any = std::ranges::any_of(driven.whole, [k](const WholeMotion& motion) { return motion.along[k]; });
+    if (any) follow(initial, driven, k, !stopped[k], times, places);
+  }
+  return places;
+}
+
 void move(Mover& mover, const InitialMotion& initial, const DrivenMotion& driven, const std::vector<double>& times) {
   mover.held = driven.held;
   mover.speed = driven.held ? 0.0 : driven.wholly ? driven.speed : std::max(initial.speed, driven.speed);
-  bool stopped = false;
-  for (const bool one : driven.stopped) stopped = stopped || one;
+  if (driven.held) {
+    mover.moved.assign(times.size(), Extent{{}, {}});
+    mover.strayed = mover.moved;
+    return;
+  }
+  const bool stopped = driven.stopped[0] || driven.stopped[1] || driven.stopped[2];
+  // What is held or moved in part deforms, and what deforms spreads to all sides.
+  const bool deforms = !driven.wholly && (driven.guided || driven.in_part || stopped);
+  // Angles that are too small for a sphere.
+  const double angle = std::max(driven.turned, driven.swung), leans = angle > turns ? 0.0 : angle;
+  mover.moved = ways(initial, driven, driven.stopped, times);
+  mover.strayed = stopped ? ways(initial, driven, {}, times) : mover.moved;
   double furthest = 0;
   for (std::size_t j = 0; j < times.size(); ++j) {
-    Extent free = scaled(initial.velocity, times[j]), strayed;
-    if (driven.held) {
-      free = {{}, {}};
-    } else if (driven.wholly) {
-      free = driven.moved[j];
-    } else {
-      Extent pushed = driven.pushed[j];
-      strayed = free + pushed;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (driven.stopped[k]) pushed.low[k] = pushed.high[k] = 0;
-      }
-      free = free + pushed;
-      if (!driven.moved[j].empty()) free.take(driven.moved[j]);
-    }
-    mover.moved.push_back(free);
-    strayed.take(free);
-    // What is held or moved in part deforms, and what deforms spreads to all sides.
-    const bool deforms = !driven.held && !driven.wholly && (stopped || driven.in_part);
-    furthest = std::max(furthest, strayed.reach());
-    if (deforms) strayed.take(Extent{{-furthest, -furthest, -furthest}, {furthest, furthest, furthest}});
-    mover.strayed.push_back(strayed);
+    if (!driven.moved[j].empty()) mover.moved[j].take(driven.moved[j]);
+    Extent& strayed = mover.strayed[j];
+    const double carried = strayed.reach() + driven.carried[j];
+    strayed.take(mover.moved[j]);
+    furthest = std::max({furthest, strayed.reach(), carried});
+    if (deforms) strayed.take(cube({}, furthest));
+    if (leans > 0) strayed = strayed + cube({}, leans * initial.radius);
   }
 }
 
@@ -276,11 +336,10 @@ void let_joints_lead(const std::vector<std::vector<std::size_t>>& joints, const 
 
 Movers find_movers(const Scene& scene, const ModelMesh& mesh) {
   Movers movers;
-  for (std::size_t j = 0; j <= steps; ++j)
-    movers.times.push_back(scene.time.end * static_cast<double>(j) / static_cast<double>(steps));
   const Groups groups(scene, mesh);
   const std::size_t count = groups.count;
   movers.all.resize(count);
+  movers.times = look_times(scene, count);
   cut_into_cells(mesh, groups.group, movers.all);
   const std::vector<InitialMotion> initial = initial_motions(scene, mesh, groups.group, count);
   const std::vector<DrivenMotion> driven = driven_motions(scene, mesh, groups.group, count, movers.times);
@@ -291,15 +350,19 @@ Movers find_movers(const Scene& scene, const ModelMesh& mesh) {
     Mover& mover = movers.all[g];
     const double turned = std::max(initial[g].turning * scene.time.end, driven[g].turned);
     const bool is_round = turned > turns && !driven[g].held;
+    const bool swings = driven[g].swung > turns && !driven[g].held;
+    mover.turns = (driven[g].turned > 1e-9 || driven[g].swung > 1e-9) && !driven[g].held;
+    if (swings) mover.sphere = cube(initial[g].centre, initial[g].radius);
     std::vector<double> lowest_at_start;
     for (std::size_t w = 0; w < of_walls.size(); ++w) {
       const double turning = dot(scene.rigid_walls[w].plane.normal, initial[g].centre) - initial[g].radius;
-      lowest_at_start.push_back(is_round ? turning : of_walls[w][g]);
+      lowest_at_start.push_back(is_round || swings ? turning : of_walls[w][g]);
     }
     if (is_round) make_round(mover, initial[g]);
     move(mover, initial[g], driven[g], movers.times);
     meet_walls(scene, movers.times, lowest_at_start, mover);
-    const bool moves = mover.speed > 0 || mover.moved.back().reach() > 0 || mover.strayed.back().reach() > 0;
+    const auto goes = [](const Extent& way) { return way.reach() > 0; };
+    const bool moves = mover.speed > 0 || mover.turns || std::ranges::any_of(mover.strayed, goes);
     movers.anything_moves = movers.anything_moves || (moves && !mover.held);
   }
   if (!scene.joints.empty()) let_joints_lead(jointed_movers(scene, groups.group), driven, movers);

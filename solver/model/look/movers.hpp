@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <solver/model/model.hpp>
@@ -15,8 +16,8 @@ struct MoverCell {
   std::int32_t body = 0;
 };
 
-/// Bodies that go together, because they have nodes in common or are tied, and where they may be in the course of a
-/// run.
+/// Bodies that go together, because they have nodes in common or are tied all the time, and where they may be in the
+/// course of a run.
 struct Mover {
   std::vector<std::int32_t> bodies;
   std::vector<MoverCell> cells;  ///< together they hold all its elements, at the start
@@ -24,6 +25,8 @@ struct Mover {
   std::vector<Extent> moved;     ///< displacements that its places may have, at each of the times [length]
   std::vector<Extent> strayed;   ///< the same, with what a deformation or a rebound may add [length]
   double speed = 0;              ///< largest, but for what a load or gravity gives it [length/time]
+  std::optional<Extent> sphere;  ///< in which it is if loads or pressures turn it: whether they do depends on much
+  bool turns = false;            ///< as given, or by loads or pressures
   bool held = false;             ///< no node of it can move
   bool meets_wall = false;       ///< a rigid wall, or one moves towards it
 };
