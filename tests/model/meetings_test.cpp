@@ -214,6 +214,32 @@ TEST(Meetings, ForcesTurnWhatTheyPushAtOneSide) {
   EXPECT_EQ(contact_of(couple), off);
 }
 
+/// Pulled at both ends a cube grows longer.
+TEST(Meetings, ForcesAgainstEachOtherStrain) {
+  Scene scene = above(0.1, 6);
+  NodalLoad down;
+  down.nodes.body = "a";
+  down.nodes.plane = Plane{{0, 0, 1.1}, {0, 0, 1}};
+  down.force = {0, 0, -0.1 * 7850};
+  NodalLoad up = down;
+  up.nodes.plane->point[2] = 2.1;
+  up.force[2] *= -1;
+  scene.loads = {down, up};
+  EXPECT_EQ(contact_of(scene), on);
+  EXPECT_EQ(contact_of(rigid(scene)), off);
+  scene.loads = {up, up};
+  EXPECT_EQ(contact_of(scene), off);
+  scene.loads = {down, up};
+  for (NodalLoad& load : scene.loads) load.nodes.plane.reset();
+  EXPECT_EQ(contact_of(scene), off) << "each on all nodes";
+
+  Scene pressed = above(0.1, 6);
+  Pressure& pressure = pressed.pressures.emplace_back();
+  pressure.faces.body = "a";
+  pressure.pressure = 7850;
+  EXPECT_EQ(contact_of(pressed), on) << "from all sides";
+}
+
 TEST(Meetings, PressureOnHalfAFaceTurns) {
   Scene scene = above(0.1, 8);
   Pressure& pressure = scene.pressures.emplace_back();

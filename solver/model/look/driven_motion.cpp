@@ -54,9 +54,12 @@ class DrivenMotions {
       own.pushed.assign(times.size(), Point{});
       own.push_rate.assign(times.size(), Point{});
       own.carried.assign(times.size(), 0.0);
+      own.strained = own.carried;
     }
     if (!scene.loads.empty() || !scene.pressures.empty()) weigh();
     swing_.assign(groups, std::vector<Point>(weighed_ ? times.size() : 0, Point{}));
+    together_ = swing_;
+    rigid_.assign(groups, false);
   }
 
   std::vector<DrivenMotion> find() {
@@ -66,7 +69,10 @@ class DrivenMotions {
     for (const Gravity& gravity : scene_.gravities) fall(gravity);
     for (const NodalLoad& load : scene_.loads) push(load);
     for (const Pressure& pressure : scene_.pressures) press(pressure);
-    for (std::size_t g = 0; g < all_.size(); ++g) let_swing(all_[g], swing_[g]);
+    for (std::size_t g = 0; g < all_.size() && weighed_; ++g) {
+      let_swing(all_[g], swing_[g]);
+      strain(g);
+    }
     return std::move(all_);
   }
 
@@ -144,6 +150,7 @@ class DrivenMotions {
     DrivenMotion& own = motion_of(rigid);
     if (rigid.held.size() == 3 && rigid.held_rotations.size() == 3 && !moved && rigid.bodies.size() == bodies_of(rigid))
       own.held = true;
+    rigid_[group_of(rigid)] = rigid.bodies.size() == bodies_of(rigid);
     own.turns_not = own.turns_not || rigid.held_rotations.size() == 3;
     for (const Point& d : rigid.held) {
       for (std::size_t k = 0; k < 3; ++k) own.stopped[k] = own.stopped[k] || std::abs(d[k]) > 0.5;
@@ -241,14 +248,27 @@ class DrivenMotions {
       own.push_rate[j] = sum(own.push_rate[j], times(course.first[j], acceleration));
     }
   }
-  /// moment: about the origin.
-  void add(std::size_t g, const Point& force, const Point& moment, const TimeTable& table, double start) {
+  /// moment: about the origin. apart: sum of the sizes of the forces on single places that this one is of; 0: all
+  /// places take the same share of it.
+  void add(std::size_t g, const Point& force, const Point& moment, double apart, const TimeTable& table, double start) {
     const Weight& weight = weight_[g];
     if (!(weight.mass > 0)) return;
     add(all_[g], times(1 / weight.mass, force), table, start);
     const Point turning = weight.turned_by(minus(moment, cross(weight.centre, force)));
     const TimeCourse course = course_from(start, table);
-    for (std::size_t j = 0; j < times_.size(); ++j) swing_[g][j] = sum(swing_[g][j], times(course.second[j], turning));
+    for (std::size_t j = 0; j < times_.size(); ++j) {
+      swing_[g][j] = sum(swing_[g][j], times(course.second[j], turning));
+      if (apart > 0) together_[g][j] = sum(together_[g][j], times(course.second[j] / weight.mass, force));
+      all_[g].strained[j] += std::abs(course.second[j]) * apart / weight.mass;
+    }
+  }
+  /// What forces do beside moving the whole.
+  void strain(std::size_t g) {
+    for (std::size_t j = 0; j < times_.size(); ++j) {
+      double& own = all_[g].strained[j];
+      const double left = own - norm(together_[g][j]);
+      own = rigid_[g] || left < 1e-9 * own ? 0.0 : left;
+    }
   }
   static void let_swing(DrivenMotion& own, const std::vector<Point>& swing) {
     const bool stopped = own.stopped[0] || own.stopped[1] || own.stopped[2];
@@ -267,12 +287,14 @@ class DrivenMotions {
     for (std::size_t g = 0; g < all_.size(); ++g) {
       if (!(count[g] > 0)) continue;
       const Point force = times(load.each ? count[g] : 1.0, load.force);
-      add(g, force, times(1 / count[g], cross(places[g], force)), load.table, 0);
+      const double apart = count[g] < static_cast<double>(nodes_[g]) ? norm(force) : 0.0;
+      add(g, force, times(1 / count[g], cross(places[g], force)), apart, load.table, 0);
     }
   }
   /// With the directions in which its faces look now.
   void press(const Pressure& pressure) {
     std::vector<Point> force(all_.size(), Point{}), moment = force;
+    std::vector<double> apart(all_.size(), 0.0);
     for (const PressedFace& face : pressed_faces(mesh_, scene_.constraints, pressure)) {
       const auto at = [&](std::size_t i) { return mesh_.nodes[face.corners[i]]; };
       const Point area = cross(minus(at(2), at(0)), minus(at(3), at(1)));
@@ -281,9 +303,10 @@ class DrivenMotions {
       const std::size_t g = group_of(face.corners[0]);
       force[g] = sum(force[g], own);
       moment[g] = sum(moment[g], cross(middle, own));
+      apart[g] += norm(own);
     }
     for (std::size_t g = 0; g < all_.size(); ++g) {
-      if (norm(force[g]) > 0 || norm(moment[g]) > 0) add(g, force[g], moment[g], pressure.table, pressure.start);
+      if (apart[g] > 0) add(g, force[g], moment[g], apart[g], pressure.table, pressure.start);
     }
   }
 
@@ -295,7 +318,9 @@ class DrivenMotions {
   std::vector<std::int64_t> nodes_;
   std::vector<Weight> weight_;
   bool weighed_ = false;
-  std::vector<std::vector<Point>> swing_;  ///< angles by which forces turn each group, at each time [rad]
+  std::vector<bool> rigid_;                   ///< whether all of a group is one rigid body
+  std::vector<std::vector<Point>> together_;  ///< where forces on single places bring each group, at each time [length]
+  std::vector<std::vector<Point>> swing_;     ///< angles by which forces turn each group, at each time [rad]
 };
 
 }  // namespace

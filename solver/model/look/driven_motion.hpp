@@ -24,6 +24,7 @@ struct DrivenMotion {
   std::vector<double> carried;     ///< how far those may bring it that do not act all the time [length]
   std::vector<Point> pushed;       ///< what gravity, loads and pressures add [length]
   std::vector<Point> push_rate;    ///< its rate [length/time]
+  std::vector<double> strained;    ///< how far forces against each other may move its places [length]
   std::array<bool, 3> stopped{};   ///< directions in which some node cannot move
   bool in_part = false;            ///< some of its nodes move as prescribed, others do not
   bool guided = false;             ///< along a direction askew to the axes, which turns other motion aside

@@ -233,6 +233,7 @@ void move(Mover& mover, const InitialMotion& initial, const DrivenMotion& driven
     strayed.take(mover.moved[j]);
     furthest = std::max({furthest, strayed.reach(), carried});
     if (deforms) strayed.take(cube({}, furthest));
+    if (!driven.wholly && driven.strained[j] > 0) strayed.take(cube({}, carried + driven.strained[j]));
     if (leans > 0) strayed = strayed + cube({}, leans * initial.radius);
   }
 }
