@@ -238,7 +238,8 @@ void TiedNodes<S>::persist(StateArchive& archive, const TiedMotion<S>& motion) {
 template <class S>
 std::size_t TiedNodes<S>::bytes() const {
   return nodes_.capacity() * sizeof(nodes_[0]) + active_.capacity() + offset_.capacity() * sizeof(offset_[0]) +
-         place_.capacity() * sizeof(place_[0]) + mass_.capacity() * sizeof(mass_[0]) + free_inverse_mass_.bytes();
+         place_.capacity() * sizeof(place_[0]) + mass_.capacity() * sizeof(mass_[0]) +
+         kept_.capacity() * sizeof(kept_[0]) + free_inverse_mass_.bytes();
 }
 
 template class TiedNodes<double>;
