@@ -5,6 +5,7 @@
 #include <solver/model/look/initial_motion.hpp>
 #include <solver/model/model.hpp>
 #include <solver/scene_rules.hpp>
+#include <tests/support/look_case.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// What is seen in a scene before the first step: what is meant by nobody is told, in one sentence; what is meant is
@@ -16,19 +17,6 @@ using namespace test;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-Look look(Scene scene) {
-  complete_scene(scene);
-  ModelMesh mesh = build_mesh(scene);
-  return look_at(scene, mesh);
-}
-
-ContactMethod decided(Scene scene) {
-  complete_scene(scene);
-  ModelMesh mesh = build_mesh(scene);
-  look_at(scene, mesh);
-  return scene.contact.method;
-}
 
 /// Two cubes of 3 x 3 x 3 elements of size 1, a gap of 1 between them, for one unit of time.
 Scene two_cubes(const Point& first, const Point& second = {}) {

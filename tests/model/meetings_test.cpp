@@ -5,6 +5,7 @@
 #include <solver/model/look/time_course.hpp>
 #include <solver/model/model.hpp>
 #include <solver/scene_rules.hpp>
+#include <tests/support/look_case.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Contact that a scene leaves open is on wherever bodies may meet, however they come to do so.
@@ -19,17 +20,7 @@ using testing::IsEmpty;
 
 constexpr bool on = true, off = false;
 
-Look look(Scene scene) {
-  complete_scene(scene);
-  ModelMesh mesh = build_mesh(scene);
-  return look_at(scene, mesh);
-}
-bool contact_of(Scene scene) {
-  complete_scene(scene);
-  ModelMesh mesh = build_mesh(scene);
-  look_at(scene, mesh);
-  return scene.contact.method != ContactMethod::none;
-}
+bool contact_of(const Scene& scene) { return decided(scene) != ContactMethod::none; }
 
 /// A cube a of size 1 above another one b, at rest, for so long.
 Scene above(double gap, double end = 15) {
@@ -50,20 +41,10 @@ PrescribedVelocity moved(const Point& velocity, const TimeSpan& when = {}) {
   return given;
 }
 RigidMotion shifted(const Point& direction, double speed, const TimeSpan& when = {}) {
-  RigidMotion given;
-  given.rigid_body = "a";
-  given.direction = direction;
-  given.speed = speed;
-  given.when = when;
-  return given;
+  return {.rigid_body = "a", .direction = direction, .speed = speed, .axis = {}, .table = {}, .when = when};
 }
 RigidMotion turned(const Point& axis, double speed, const TimeSpan& when = {}) {
-  RigidMotion given;
-  given.rigid_body = "a";
-  given.axis = axis;
-  given.angular_speed = speed;
-  given.when = when;
-  return given;
+  return {.rigid_body = "a", .direction = {}, .axis = axis, .angular_speed = speed, .table = {}, .when = when};
 }
 Gravity falling(const Point& acceleration) { return {.acceleration = acceleration, .table = {}, .bodies = {"a"}}; }
 

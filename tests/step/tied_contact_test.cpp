@@ -7,7 +7,7 @@
 #include <solver/results/warnings.hpp>
 #include <tests/support/run_hash.hpp>
 #include <tests/support/saved_state.hpp>
-#include <tests/support/solver_case.hpp>
+#include <tests/support/tied_case.hpp>
 
 /// Nodes that are tied to faces.
 namespace pinball::tied_contact_test {
@@ -15,24 +15,6 @@ namespace {
 
 using namespace test;
 using testing::HasSubstr;
-
-TiedContact tie(const std::string& first, const std::string& second) {
-  TiedContact tied;
-  tied.name = "glue";
-  tied.first.bodies = {first};
-  tied.second.bodies = {second};
-  return tied;
-}
-
-/// A block on another, whose meshes have `fine` and `coarse` elements along their sides of length 0.6.
-Scene glued(int fine, int coarse, double end, double gap = 0) {
-  Scene scene = scene_of({block("low", {coarse, coarse, coarse}, 0.6 / coarse, {0, 0, 0}),
-                          block("high", {fine, fine, fine}, 0.6 / fine, {0, 0, 0.6 + gap})},
-                         end, false);
-  scene.element.hourglass = HourglassControl::assumed_strain;
-  scene.tied_contacts = {tie("high", "low")};
-  return scene;
-}
 
 Point momentum_of_all(const Solver<double>& solver) { return solver.momentum(); }
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <solver/results/warnings.hpp>
-#include <tests/support/solver_case.hpp>
+#include <tests/support/tied_case.hpp>
 
 /// Constraints of nodes that are tied to faces.
 namespace pinball::test::tied_held_test {
@@ -10,18 +10,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-/// A block of 3^3 elements on one of 2^3, tied to it.
-Scene glued() {
-  Scene scene =
-      scene_of({block("low", {2, 2, 2}, 0.3, {0, 0, 0}), block("high", {3, 3, 3}, 0.2, {0, 0, 0.6})}, 2e-4, false);
-  TiedContact tied;
-  tied.name = "glue";
-  tied.first.bodies = {"high"};
-  tied.second.bodies = {"low"};
-  scene.tied_contacts = {tied};
-  return scene;
-}
 
 FixedConstraint hold(const std::string& body, double height, const std::vector<Point>& directions) {
   FixedConstraint fixed;
@@ -37,7 +25,7 @@ TiedResult of(const Scene& scene) { return Solver<double>(scene).model().tie_cou
 /// Constraints of one body were looked at one by one: held along x, and along y and z by another, nodes were tied and
 /// fell.
 TEST(TiedNodesThatAreHeld, AreSoByAllConstraintsTogether) {
-  Scene scene = glued();
+  Scene scene = glued(3, 2, 2e-4);
   scene.fixed_constraints = {hold("high", 0.6, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})};
   EXPECT_EQ(of(scene).held, 16);
   scene.fixed_constraints = {hold("high", 0.6, {{1, 0, 0}}), hold("high", 0.6, {{0, 1, 0}, {0, 0.6, 0.8}})};
@@ -50,7 +38,7 @@ TEST(TiedNodesThatAreHeld, AreSoByAllConstraintsTogether) {
 
 /// The faces decide, and a constraint of tied nodes alone does nothing: that is told.
 TEST(TiedNodesThatAreHeld, InPartAreToldWhereTheirFacesAreFree) {
-  Scene scene = glued();
+  Scene scene = glued(3, 2, 2e-4);
   scene.fixed_constraints = {hold("high", 0.6, {{0, 0, 1}})};
   EXPECT_EQ(of(scene).nodes, 16);
   EXPECT_EQ(of(scene).free, 16);
@@ -75,7 +63,7 @@ TEST(TiedNodesThatAreHeld, InPartAreToldWhereTheirFacesAreFree) {
 
 /// Of the symmetry of a whole model nothing is to be told.
 TEST(TiedNodesThatAreHeld, BySymmetryAreNotTold) {
-  Scene scene = glued();
+  Scene scene = glued(3, 2, 2e-4);
   scene.constraints = {{{0, 0, 0}, {1, 0, 0}, ""}, {{0, 0, 0}, {0, 1, 0}, ""}};
   EXPECT_EQ(of(scene).nodes, 16);
   EXPECT_EQ(of(scene).free, 0);

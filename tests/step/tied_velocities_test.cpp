@@ -3,23 +3,11 @@
 #include <cmath>
 
 #include <tests/support/saved_state.hpp>
-#include <tests/support/solver_case.hpp>
+#include <tests/support/tied_case.hpp>
 
 /// Velocities of tied nodes that a host changes.
 namespace pinball::test::tied_velocities_test {
 namespace {
-
-/// A block of 3^3 elements on one of 2^3, tied to it.
-Scene glued() {
-  Scene scene =
-      scene_of({block("low", {2, 2, 2}, 0.3, {0, 0, 0}), block("high", {3, 3, 3}, 0.2, {0, 0, 0.6})}, 2e-4, false);
-  TiedContact tied;
-  tied.name = "glue";
-  tied.first.bodies = {"high"};
-  tied.second.bodies = {"low"};
-  scene.tied_contacts = {tied};
-  return scene;
-}
 
 /// Velocity along x of all nodes of a body [length/time].
 void push(Solver<double>& solver, std::int32_t body, double speed) {
@@ -33,7 +21,7 @@ void push(Solver<double>& solver, std::int32_t body, double speed) {
 
 /// Tied nodes have no mass of their own while they are tied: what a host gave them was lost.
 TEST(ChangedVelocitiesOfTiedNodes, GiveTheirMomentumToTheirFaces) {
-  const Scene scene = glued();
+  const Scene scene = glued(3, 2, 2e-4);
   for (const int steps : {0, 5}) {
     Solver<double> solver(scene);
     for (int step = 0; step < steps; ++step) solver.step();
@@ -48,7 +36,7 @@ TEST(ChangedVelocitiesOfTiedNodes, GiveTheirMomentumToTheirFaces) {
 }
 
 TEST(ChangedVelocitiesOfTiedNodes, ThatAreChangedByNothingStayAsTheyWere) {
-  const Scene scene = glued();
+  const Scene scene = glued(3, 2, 2e-4);
   Solver<double> solver(scene);
   push(solver, 1, 10);
   for (int step = 0; step < 5; ++step) solver.step();
