@@ -76,6 +76,8 @@ class BoundaryConditions {
   double closing(double time, double dt) const {
     return std::max(walls_.closing(), motions_.jump(time - dt, time + 2 * dt));
   }
+  /// The same, of what moves nodes, as the coming step begins.
+  double jump(double time, const StepLengths& step) const { return motions_.jump_now(time, step); }
   std::vector<PressureResult> pressures() const { return pressures_.results(); }
   /// What constraints, prescribed velocities and accelerations with a name exert on the nodes in the step just made, by
   /// name: the mean over the steps of the cycle, in one of which a large element gives a constraint the impulse of

@@ -90,6 +90,22 @@ double PrescribedMotions::jump(double from, double to) const {
   return largest;
 }
 
+double PrescribedMotions::jump_now(double time, const StepLengths& step) const {
+  double largest = 0;
+  for (const PrescribedVelocity& given : given_) {
+    if (!given.when.contains(time)) continue;
+    double change = 0;
+    if (accelerates(given)) {
+      change = factor_change(given.table, time, step);
+    } else {
+      change = mean_factor(given, time, step);
+      if (given.when.contains(time - step.before)) change -= mean_factor(given, time - step.before, {0, step.before});
+    }
+    largest = std::max(largest, norm(given.velocity) * std::abs(change));
+  }
+  return largest;
+}
+
 template PrescribedMotions::PrescribedMotions(const Model<double>&);
 template PrescribedMotions::PrescribedMotions(const Model<float>&);
 

@@ -29,6 +29,8 @@ class PrescribedMotions {
   /// Largest change of a velocity between two times; of a motion that begins between them, for a node that is at rest
   /// before [length/time].
   double jump(double from, double to) const;
+  /// The same from the step just made to the coming one [length/time].
+  double jump_now(double time, const StepLengths& step) const;
 
  private:
   std::vector<PrescribedVelocity> given_;

@@ -234,7 +234,9 @@ PINBALL_API void pinball_contact_destroy(pinball_contact *contact);
 
 /**
  * Takes in where everything is, and searches when needed.
- * @param dt_before  length of the step just made, from t_(n-1) to t_n; 0 in the first [time]
+ * @param dt_before  length of the step just made, from t_(n-1) to t_n; 0 in the first [time]. What may touch is looked
+ *                   for as far as it closes in a step of twice this length, and once more in
+ *                   pinball_contact_add_forces where the coming one is longer
  */
 PINBALL_API int pinball_contact_update(pinball_contact *contact, const pinball_contact_arrays *arrays,
                                                double dt_before);

@@ -25,6 +25,11 @@ Point times(const std::array<Point, 3>& rows, const double* v) {
   return product;
 }
 
+/// What a body has of a given motion at the time of the forces: a speed [length/time] or an angular one [1/time].
+double present_speed(const RigidBodyMotion& body, const RigidMotion& given) {
+  return given.axis ? dot(body.angular_velocity(), *given.axis) : dot(body.state().velocity, *given.direction);
+}
+
 /// The motion of a body as its nodes have it.
 struct CommonMotion {
   std::array<Point, 3> rotation;
@@ -77,19 +82,36 @@ void RigidBodies<S>::choose_given(Body& body, double time) const {
 }
 
 template <class S>
+double RigidBodies<S>::given_speed(const Body& body, const RigidMotion& motion, double time,
+                                   const StepLengths& step) const {
+  const double most = motion.axis ? motion.angular_speed : motion.speed;
+  if (motion.quantity != MotionQuantity::acceleration)
+    return most * mean_factor(motion.table, motion.quantity, time, step);
+  return most * factor_change(motion.table, time, step) + present_speed(body.motion, motion);
+}
+
+template <class S>
 void RigidBodies<S>::set_speeds(Body& body, double time, const StepLengths& step) const {
   std::size_t along = body.held.along.size(), about = body.held.about.size();
   for (const std::size_t m : body.given_by) {
     const RigidMotion& motion = motions_[m];
-    const bool accelerates = motion.quantity == MotionQuantity::acceleration;
-    const double factor =
-        accelerates ? factor_change(motion.table, time, step) : mean_factor(motion.table, motion.quantity, time, step);
     double& speed = motion.axis ? body.given.angular_speeds[about++] : body.given.speeds[along++];
-    speed = factor * (motion.axis ? motion.angular_speed : motion.speed);
-    if (accelerates)
-      speed += motion.axis ? dot(body.motion.angular_velocity(), *motion.axis)
-                           : dot(body.motion.state().velocity, *motion.direction);
+    speed = given_speed(body, motion, time, step);
   }
+}
+
+template <class S>
+double RigidBodies<S>::jump(double time, const StepLengths& step) const {
+  double largest = 0;
+  for (const Body& body : bodies_) {
+    double along = 0, about = 0;
+    for (const std::size_t m : body.given_by) {
+      const double change = given_speed(body, motions_[m], time, step) - present_speed(body.motion, motions_[m]);
+      (motions_[m].axis ? about : along) += std::abs(change);
+    }
+    largest = std::max(largest, along + about * body.radius);
+  }
+  return largest;
 }
 
 /// Gravity acts in the given centre, and has acted in that of the nodes' masses.

@@ -55,6 +55,8 @@ class RigidBodies {
   void put_velocities(Model<S>& model) const;
   /// dt: the step just made.
   void begin_step(double time, double dt);
+  /// Largest change of velocity that given motions are about to give to nodes of bodies [length/time].
+  double jump(double time, const StepLengths& step) const;
   /// Forces of all on the nodes become those of the common motion; once more where contact has added some since.
   void share_forces(Model<S>& model, double time, const StepLengths& step);
   /// After the integration: puts the nodes where their bodies go.
@@ -84,6 +86,7 @@ class RigidBodies {
     std::vector<std::int32_t> nodes;      ///< of the store, ascending
     std::vector<std::int32_t> common;     ///< places in `nodes` of those of elements that deform
     Array<double> arm;                    ///< records: from the centre to the nodes at the start [length]
+    double radius = 0;                    ///< of the longest arm [length]
     GivenMotion held;                     ///< at all times
     std::vector<std::size_t> motions;     ///< of the scene, that move it
     GivenMotion given;                    ///< in this step
@@ -112,6 +115,7 @@ class RigidBodies {
   void keep_joints(Model<S>& model, bool of_start);
   std::vector<JointedBody> jointed() const;
   RowTensor way_ahead(const Body& body, const StepLengths& step) const;
+  double given_speed(const Body& body, const RigidMotion& motion, double time, const StepLengths& step) const;
   void set_speeds(Body& body, double time, const StepLengths& step) const;
   void sum_forces(const Model<S>& model, Body& body) const;
   void put_forces(Model<S>& model, const Body& body) const;

@@ -140,6 +140,7 @@ void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const s
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Point r = minus(place(i), centre);
     std::copy(r.begin(), r.end(), record(body.arm.data(), static_cast<std::int64_t>(i)));
+    body.radius = std::max(body.radius, std::hypot(r[0], r[1], r[2]));
     sides_.body_of_node[nodes[i]] = static_cast<std::int32_t>(number);
   }
   for (std::size_t k = 0; k < 3; ++k) body.more_inertia[k] = minus(slender.inertia[k], own.inertia[k]);

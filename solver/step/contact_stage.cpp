@@ -23,17 +23,18 @@ void ContactStage<S>::show(NodeNumbers numbers, bool any) {
 }
 
 template <class S>
-ContactWork ContactStage<S>::before_constraints(Model<S>& model, double time, double dt, Timers& timers,
-                                                RunCounts& counts) {
+ContactWork ContactStage<S>::before_constraints(Model<S>& model, double time, double dt, const ComingStep& coming,
+                                                Timers& timers, RunCounts& counts) {
   if (!built::contact || !contact_) return {};
   contact_->set_time(time);
+  contact_->expect(coming);
   const SpaceSurface<S> source(model, space_, contact_->surface(), in_space_);
   timers.measure(Phase::pinballs, [&] {
     const std::vector<std::int64_t> eroded = space_.eroded_slots();
     // Forces in the same copy, if impulses are likely to need them.
     const bool with_forces = !in_space_ || !impulse_nodes().empty();
     if (!in_space_ || contact_->acts_on_velocities()) {
-      show(with_forces ? NodeNumbers::all : NodeNumbers::motion, !eroded.empty());
+      show(with_forces ? NodeNumbers::all : NodeNumbers::motion, !eroded.empty() || coming.stops);
     }
     contact_->update_surface(source, eroded);
   });

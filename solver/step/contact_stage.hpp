@@ -38,14 +38,19 @@ class ContactStage {
   void set_rigid_sides(const RigidSides& sides) {
     if (contact_) contact_->set_rigid_sides(&sides);
   }
+  /// Velocities were changed by others: lists that were built for those that were there may not hold.
+  void forget_lists() {
+    if (contact_) contact_->forget_lists();
+  }
   /// Elements that take part; negative without contact.
   std::int64_t surface_elements() const { return built::contact && contact_ ? contact_->surface_elements() : -1; }
   void set_ties(const TiedNodes<S>& ties, bool changed) {
     if (contact_) contact_->set_ties(ties, changed);
   }
   /// Surface, search, and what acts before constraints do: penalty forces, added to the nodes. time: of the forces; dt:
-  /// the step just made [time].
-  ContactWork before_constraints(Model<S>& model, double time, double dt, Timers& timers, RunCounts& counts);
+  /// the step just made [time]; coming: what the next one may bring.
+  ContactWork before_constraints(Model<S>& model, double time, double dt, const ComingStep& coming, Timers& timers,
+                                 RunCounts& counts);
   /// What acts on velocities that constraints leave: impulses, as forces added to the nodes. bounds: of
   /// impulse_nodes(), by what stops them afterwards.
   ContactWork after_constraints(Model<S>& model, const StepLengths& step, std::span<const NodeBound> bounds,

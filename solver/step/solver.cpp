@@ -131,10 +131,10 @@ void Solver<S>::finish() {
 /// stage is timed (Phase). Node forces are zero between steps.
 template <class S>
 void Solver<S>::make_step(const Due& due) {
-  const InternalForceResult<S> element = internal_forces(due);  // 3    f -= B^T sigma V, and the stable step
-  const ContactWork ties = update_ties();                       //      which nodes are tied from now on
-  const ContactWork springs = contact_before_constraints();     // 4    f += penalty of contact
-  choose_time_step(due, element, springs);                      //      dt_(n+1/2)
+  const InternalForceResult<S> element = internal_forces(due);           // 3    f -= B^T sigma V, and the stable step
+  const ContactWork ties = update_ties();                                //      which nodes are tied from now on
+  const ContactWork springs = contact_before_constraints(due, element);  // 4    f += penalty of contact
+  choose_time_step(due, element, springs);                               //      dt_(n+1/2)
   boundary_forces(due);                                         // 1-2  f += loads, damping; ties; constraints, given v
   share_rigid_forces();                                         //      f of rigid bodies: those of their common motion
   const ContactWork impulses = contact_after_constraints(due);  //      f += impulses of contact; the last two again
@@ -183,9 +183,22 @@ ContactWork Solver<S>::update_ties() {
 }
 
 template <class S>
-ContactWork Solver<S>::contact_before_constraints() {
+ContactWork Solver<S>::contact_before_constraints(const Due& due, const InternalForceResult<S>& element) {
   rigid_.begin_step(clock_.time(), clock_.dt());
-  return contact_.before_constraints(model_, clock_.time(), clock_.dt(), timers_, counts_);
+  const ComingStep coming = contact_.acts_on_velocities() ? coming_step(due, element) : ComingStep();
+  return contact_.before_constraints(model_, clock_.time(), clock_.dt(), coming, timers_, counts_);
+}
+
+/// What may touch in the coming step is looked for before its length is known, and before motions change velocities.
+template <class S>
+ComingStep Solver<S>::coming_step(const Due& due, const InternalForceResult<S>& element) const {
+  ComingStep coming;
+  const double time = clock_.time(), before = clock_.dt();
+  if (due.first) coming.dt = clock_.first_step(element.time_step);
+  const StepLengths step{before, std::max(before, coming.dt)};
+  coming.leap = std::max(due.first ? boundary_.jump_at_start() : boundary_.jump(time, step), rigid_.jump(time, step));
+  coming.stops = boundary_.changes(time);
+  return coming;
 }
 
 /// The last word on tied nodes: whatever constraints, walls and planes of symmetry do, they do to the corners.

@@ -159,7 +159,8 @@ class Solver {
 
   InternalForceResult<S> internal_forces(const Due& due);
   ContactWork update_ties();
-  ContactWork contact_before_constraints();
+  ComingStep coming_step(const Due& due, const InternalForceResult<S>& element) const;
+  ContactWork contact_before_constraints(const Due& due, const InternalForceResult<S>& element);
   void choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
   void boundary_forces(const Due& due);
   void hold(const Due& due);

@@ -37,6 +37,7 @@ void Solver<S>::take_changed_velocities() {
   const double added = kinetic_energy(model_) - *kinetic_before_change_;
   kinetic_before_change_.reset();
   schedule_.forget_resting();
+  contact_.forget_lists();
   if (contact() != nullptr) clock_.limit_by_impact_speed(longest_contact_step(model_));
   if (clock_.steps() > 0) {
     boundary_.add_work(added);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include <kernels/boundary/external_work.hpp>
@@ -41,6 +42,8 @@ class StepClock {
   double longest_impact_step() const { return longest_impact_step_; }
   /// rate_of_closing: of SmallestStep [1/length].
   void expect_impacts(double rate_of_closing) { rate_of_closing_ = rate_of_closing; }
+  /// The longest that the first step can be, by what elements allow [time].
+  double first_step(double stable) const { return std::min({longest_step(stable), longest_impact_step_, end_}); }
   /// The forces of time() are known, and with them what bounds the coming step, or cycle of steps.
   /// closing: largest change of velocity that contact or a wall will give to what it stops first in the coming steps
   /// [length/time].

@@ -109,6 +109,28 @@ TEST(EmbeddedInstances, InTwoThreadsGiveTheSameBitsAsOneAfterTheOther) {
   EXPECT_NE(of_first, of_second);
 }
 
+/// The first step has none before it to tell how much closes in one, and a host may make a longer one at any time.
+TEST(EmbeddedSteps, SeeWhatClosesInOneThatIsLongerThanTheLast) {
+  const double h = 0.1, speed = 1000;
+  for (const int before : {0, 2}) {
+    Scene scene = scene_of(
+        {block("a", {3, 3, 3}, h, {0, 0, 0}), block("b", {2, 2, 2}, h, {0.4 * h, 0.3 * h, 3.05 * h}, {0, 0, -speed})},
+        1);
+    scene.contact = ContactSettings();
+    scene.contact.method = ContactMethod::pinball;
+    scene.contact.gap = ContactGap::face;
+    EmbeddingHost<double> host(scene);
+    const double longer = 0.1 * h / speed;
+    double deepest = 0;
+    for (int i = 0; i < before + 4; ++i) {
+      host.step(i < before ? 1e-3 * longer : longer);
+      deepest = std::max(deepest, host.result().penetration_ratio);
+    }
+    EXPECT_LT(deepest, 1e-3) << "steps before: " << before;
+    EXPECT_GT(host.result().pairs, 0);
+  }
+}
+
 TEST(EmbeddedErosion, OpensTheSurfaceBehindDeadElements) {
   // A block rests against a target, whose upper layer the host takes away.
   const double h = 0.1;

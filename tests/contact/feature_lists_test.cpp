@@ -70,7 +70,7 @@ class ErodingBlocks {
   void build(Lists& lists) const {
     const std::vector<float> depth(static_cast<std::size_t>(model_.nodes.count), 0);
     lists.count_step(dt);
-    lists.build(source(), surface_, edges_, spheres_, settings_, depth, dt, true);
+    lists.build(source(), surface_, edges_, spheres_, settings_, depth, dt, 0, true);
   }
   void persist(Lists& lists, StateArchive& archive) const {
     lists.persist(archive, surface_, edges_, spheres_, settings_, model_.nodes.count);
@@ -79,7 +79,7 @@ class ErodingBlocks {
   /// For the coming step alone, which is hardly one.
   void build_for_now(Lists& lists) const {
     const std::vector<float> depth(static_cast<std::size_t>(model_.nodes.count), 0);
-    lists.build(source(), surface_, edges_, spheres_, settings_, depth, 1e-9 * dt, false);
+    lists.build(source(), surface_, edges_, spheres_, settings_, depth, 1e-9 * dt, 0, false);
   }
   /// A step, in which some nodes are thrown off their ways, some of them by so much that segments turn.
   void move(Random& random) {
@@ -302,7 +302,7 @@ TEST(FeatureLists, OfBodiesThatHaveNodesInCommonHaveNoNodeWithItsOwnElement) {
   Lists lists;
   lists.count_step(dt);
   lists.build(source, surface, edges, SphereSurface<double>(source, surface.topology()), scene.contact,
-              std::vector<float>(12, 0), dt, true);
+              std::vector<float>(12, 0), dt, 0, true);
   const Pairs nodes = all_of(lists.nodes());
   EXPECT_FALSE(nodes.empty());
   for (const auto& [slave, segment] : nodes) {

@@ -61,6 +61,13 @@ struct ListSize {
   std::int64_t places = 0;   ///< of pairs: entries, and the padding to whole packs
 };
 
+/// What the coming step may bring that neither the velocities at its beginning nor the step just made tell.
+struct ComingStep {
+  double dt = 0;       ///< as long as it is taken to be, where the step just made was shorter [time]
+  double leap = 0;     ///< by which given motions may change velocities as it begins [length/time]
+  bool stops = false;  ///< some nodes are held, or moved, from now on, and may lose any velocity that they have
+};
+
 /// An algorithm of contact, for whoever fills a SurfaceSource. Each step calls its stages in this order:
 ///
 ///     update_surface, search, before_step, add_forces      then loads, constraints and the length of the coming step,
@@ -82,12 +89,18 @@ class ContactAlgorithm {
   void set_time(double time) {
     if (pairs_ && pairs_->set_time(time)) lists_outdated_ = true;
   }
+  /// Whether rows are found by what closes in the coming step.
+  virtual bool looks_ahead() const { return false; }
+  /// What the coming step may bring, for the next search and before_step.
+  void expect(const ComingStep& coming) { coming_ = coming; }
   /// Which nodes are tied. ties: has to stay where it is; changed: others than when the lists were made.
   void set_ties(const TiedNodes<S>& ties, bool changed) {
     if (pairs_) pairs_->set_tied(ties.ties_of_nodes());
     if (impulses_) impulses_->set_ties(&ties);
     lists_outdated_ = lists_outdated_ || changed;
   }
+  /// The lists hold no longer: they were built for other velocities.
+  void forget_lists() { lists_outdated_ = true; }
   /// sides: null, or kept by whoever keeps this: the rigid bodies that nodes are of.
   void set_rigid_sides(const RigidSides* sides) {
     if (impulses_) impulses_->set_rigid_sides(sides);
@@ -155,7 +168,7 @@ class ContactAlgorithm {
   /// source: with its own state read before. What can be rebuilt with the same bits is; lists cannot, because a list of
   /// another time has other pairs, over which energies are summed in another order, and lasts for another time.
   virtual void persist(StateArchive& archive, const SurfaceSource<S>& source) {
-    archive(searches_, searches_skipped_);
+    archive(searches_, searches_skipped_, lists_outdated_);
     if (pairs_) pairs_->persist(archive);
     if (impulses_) impulses_->persist(archive, source);
   }
@@ -173,7 +186,8 @@ class ContactAlgorithm {
   bool may_keep_lists(const SurfaceSource<S>& source) const { return source.lists_last && !lists_outdated_; }
 
   const ContactSettings settings_;
-  std::unique_ptr<ContactPairs> pairs_;         ///< none: all may touch all
+  std::unique_ptr<ContactPairs> pairs_;  ///< none: all may touch all
+  ComingStep coming_;
   bool lists_outdated_ = false;                 ///< others may touch than when the lists were made
   std::unique_ptr<ImpulseSolver<S>> impulses_;  ///< only with enforcement by impulses
   double damping_factor_ = 1;                   ///< of the squared frequency of the springs, for their damping

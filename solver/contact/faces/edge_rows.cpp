@@ -248,7 +248,7 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
        is_beside(source, surface, second, pair.t, sides2, sides1, a + pair.s * (b - a), 0 - gap))) {
     return;
   }
-  if (may_close(gap, closing, row.reach)) rows.push_back(row);
+  if (may_close(gap, closing, step.leap, row.reach)) rows.push_back(row);
 }
 
 template <class S>

@@ -22,6 +22,9 @@ static_assert(worth_noting < deepest_edges && worth_noting < near_gap);
 /// Depth at which nodes of bodies that overlap at the start are found, over the size of a segment around them.
 constexpr double deepest_at_start = 0.3;
 
+/// Lists are built for leaps of so many times those that ask for them: motions that set out slowly become faster.
+constexpr double margin_of_leaps = 2;
+
 /// Pairs of a part of a list where several processes share it: so few that each gets about as many.
 constexpr std::int64_t most_pairs_of_part = 256;
 
@@ -34,11 +37,14 @@ struct VelocityBox {
   }
 };
 
-/// Twice the way that some nodes can make towards each other within a step [length].
+/// The way that some of these nodes can make towards each other within a step, or towards one that is at rest
+/// [length].
 template <class S>
-double largest_approach(const SurfaceSource<S>& source, const std::vector<std::int32_t>& nodes, double dt) {
+double largest_approach(const SurfaceSource<S>& source, const std::vector<std::int32_t>& nodes, double dt,
+                        bool one_rests = false) {
   if (nodes.empty()) return 0;
   VelocityBox box;
+  if (one_rests) box.take({{0, 0, 0}, {0, 0, 0}});
   parallel_reduce(
       "velocities", RangePolicy<>{0, std::ssize(nodes)}, box,
       [&](std::int64_t begin, std::int64_t end, VelocityBox& partial) {
@@ -49,7 +55,7 @@ double largest_approach(const SurfaceSource<S>& source, const std::vector<std::i
       },
       [](VelocityBox& whole, const VelocityBox& partial) { whole.take(partial); });
   const Vec3<double> most = box.high - box.low;
-  return 2 * std::sqrt(dot(most, most)) * dt;
+  return std::sqrt(dot(most, most)) * dt;
 }
 
 }  // namespace
@@ -85,7 +91,8 @@ void FaceAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const std:
 template <class S>
 void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
   const bool reuse = source.lists_last;
-  if (this->may_keep_lists(source)) {
+  const double ahead = std::max(dt, this->coming_.dt), leap = this->leap(source, ahead);
+  if (this->may_keep_lists(source) && lists_.reach(static_cast<S>(this->coming_.dt), static_cast<S>(leap))) {
     const bool hold = lists_hold(source), follow = !hold && follow_strays(source);
     if (hold || follow) {
       ++this->searches_skipped_;
@@ -101,7 +108,8 @@ void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
     edges_.collect(surface_);
     lists_.invalidate();
   }
-  lists_.build(source, surface_, edges_, spheres_, this->settings_, depth_, static_cast<S>(dt), reuse);
+  lists_.build(source, surface_, edges_, spheres_, this->settings_, depth_, static_cast<S>(ahead),
+               static_cast<S>(margin_of_leaps * leap), reuse);
   this->lists_outdated_ = false;
   kernels_outdated_ = true;
   choose_listed();
@@ -229,10 +237,11 @@ void FaceAlgorithm<S>::list_read_nodes() {
 template <class S>
 void FaceAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   lists_.count_step(static_cast<S>(dt));
-  const StepReach step{dt, largest_approach(source, listed_nodes_, dt), depth_.data(), !deep_.empty(),
-                       this->pairs_.get()};
+  const double ahead = std::max(dt, this->coming_.dt), leap = this->leap(source, ahead);
+  const double approach = 2 * (largest_approach(source, listed_nodes_, ahead) + leap);
+  const StepReach step{ahead, approach, depth_.data(), !deep_.empty(), this->pairs_.get(), leap};
   find_rows(source, step);
-  sphere_rows_.find(source, surface_, spheres_, lists_.spheres(), dt);
+  sphere_rows_.find(source, surface_, spheres_, lists_.spheres(), step);
   ImpulseSolver<S>& impulses = *this->impulses_;
   impulses.begin_rows();
   node_rows_.rows().give_to(impulses);
@@ -240,6 +249,13 @@ void FaceAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double d
   sphere_rows_.give_to(impulses);
   impulses.finish_rows(source, dt);
   note_depths();
+}
+
+/// The way that given motions may add within a step to what velocities tell [length].
+template <class S>
+double FaceAlgorithm<S>::leap(const SurfaceSource<S>& source, double dt) const {
+  const double given = this->coming_.leap * dt;
+  return this->coming_.stops ? given + largest_approach(source, surface_.nodes(), dt, true) : given;
 }
 
 template <class S>

@@ -30,6 +30,7 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   bool work_with(std::unique_ptr<PinballKernels<S>>& kernels) override;
   std::span<const std::int32_t> read_nodes() const override { return read_nodes_; }
   std::int64_t choices_of_read_nodes() const override { return choices_; }
+  bool looks_ahead() const override { return true; }
   void search(const SurfaceSource<S>& source, double dt) override;
 
   const char* name() const override { return "pinball"; }
@@ -50,6 +51,7 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   void add_pair_forces_of_springs(std::vector<Point>& /*sums*/) const override {}
   void collect_impulses(const SurfaceSource<S>& source, double dt) override;
   /// Finds the rows of nodes and edges, with other processes if there are some.
+  double leap(const SurfaceSource<S>& source, double dt) const;
   void find_rows(const SurfaceSource<S>& source, const StepReach& step);
   void note_depths();
   /// Whether the lists have all that may touch.

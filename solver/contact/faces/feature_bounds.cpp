@@ -75,7 +75,7 @@ class SegmentsOfGroup {
 template <class S>
 MovingBox<S> FeatureBounds<S>::box_of(const Vec3<S>& x, const Vec3<S>& v, std::int32_t node) const {
   const Vec3<S> begin = x - last_step_ * v, end = x + horizon_ * v;
-  const S stray = motion_->allowance(std::array{node});
+  const S stray = motion_->allowance(std::array{node}) + leap_;
   return {{begin.x - stray, begin.y - stray, begin.z - stray, begin.x + stray, begin.y + stray, begin.z + stray,
            end.x - stray, end.y - stray, end.z - stray, end.x + stray, end.y + stray, end.z + stray}};
 }
@@ -86,6 +86,7 @@ void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<
                               const ListScope<S>& scope) {
   motion_ = &motion;
   last_step_ = scope.last_step;
+  leap_ = scope.leap;
   // What has closed within the step just made is found, and what closes within the step after the horizon.
   horizon_ = scope.horizon + 2 * last_step_;
   const std::int32_t segments = surface.segments().size();

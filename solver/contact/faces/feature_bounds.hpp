@@ -32,6 +32,7 @@ struct Facing {
 template <class S>
 struct ListScope {
   S last_step = 0;           ///< length of the step just made [time]
+  S leap = 0;                ///< the way that given motions may add to what velocities tell [length]
   S horizon = 0;             ///< for which the lists are to last, beyond that step [time]
   std::vector<float> depth;  ///< per slave: how deep it is [length]
 };
@@ -82,7 +83,7 @@ class FeatureBounds {
   void find_directions(const SegmentSurface<S>& surface);
 
   const SurfaceMotion<S>* motion_ = nullptr;
-  S last_step_ = 0, horizon_ = 0;
+  S last_step_ = 0, leap_ = 0, horizon_ = 0;
   MovingBoxes<S> boxes_;
   std::vector<MovingBox<S>> node_box_;
   std::vector<Facing<S>> facing_;

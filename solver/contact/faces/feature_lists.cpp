@@ -53,7 +53,7 @@ S FeatureLists<S>::steps_to_last(const SegmentSurface<S>& surface) const {
 template <class S>
 void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                             const SphereSurface<S>& spheres, const ContactSettings& settings,
-                            const std::vector<float>& depth, S dt, bool last) {
+                            const std::vector<float>& depth, S dt, S leap, bool last) {
   const S horizon = last ? steps_to_last(surface) * clock_.last_step() : S(0);
   if (watched_) motion_.adapt(source.position, clock_.elapsed(), horizon);
   if (!valid_) {
@@ -64,6 +64,7 @@ void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface
   source.before_motion(motion_.nodes());
   motion_.start(source.position, source.velocity, last ? static_cast<S>(settings.skin) : S(0));
   scope_.last_step = std::max(dt, clock_.last_step());
+  scope_.leap = leap;
   scope_.horizon = horizon;
   scope_.depth.resize(surface.slaves().size());
   parallel_for("depths", RangePolicy<>{0, std::ssize(scope_.depth)},
@@ -303,8 +304,8 @@ template <class S>
 void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                               const SphereSurface<S>& spheres, const ContactSettings& settings,
                               std::int32_t node_count) {
-  archive(valid_, watched_, scope_.last_step, scope_.horizon, scope_.depth, was_active_, spheres_.with_segments,
-          spheres_.with_spheres);
+  archive(valid_, watched_, scope_.last_step, scope_.leap, scope_.horizon, scope_.depth, was_active_,
+          spheres_.with_segments, spheres_.with_spheres);
   nodes_.persist(archive);
   edges_.persist(archive);
   clock_.persist(archive);

@@ -47,18 +47,21 @@ class FeatureLists {
 
   /// The pairs of the scene that may touch, or null; they have to stay. Lists are to be built anew when others may.
   void set_pairs(const ContactPairs* pairs) { allowed_ = pairs; }
-  /// Builds the lists from nothing. dt: the step just made; last: the lists are
-  /// to last, else they are for the coming step alone. depth: per node of the store, how deep it is [length].
+  /// Builds the lists from nothing. dt: the step just made, or the coming one where that is longer [time]; leap: the
+  /// way that given motions may add to what velocities tell [length]; last: the lists are to last, else they are for
+  /// the coming step alone. depth: per node of the store, how deep it is [length].
   void build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
              const SphereSurface<S>& spheres, const ContactSettings& settings, const std::vector<float>& depth, S dt,
-             bool last);
+             S leap, bool last);
   /// Notes the length of the step just made.
   void count_step(S dt) { clock_.count_step(dt); }
   /// True while the lists have all that may touch.
   bool holds(const SurfaceSource<S>& source) const {
     return may_hold() && motion_.holds(source.position, clock_.elapsed());
   }
-  /// The same, where no node has strayed further than expected.
+  /// Whether they were built for such a step, and such a leap within it.
+  bool reach(S dt, S leap) const { return dt <= scope_.last_step && leap <= scope_.leap; }
+  /// The same as holds(), where no node has strayed further than expected.
   bool may_hold() const { return valid_ && !clock_.over(); }
   /// What nodes are expected to do, and for how long they have done so [time].
   ExpectedNodes<S> expected() const { return motion_.expected(); }

@@ -53,10 +53,11 @@ struct FeatureRow {
 /// What rows of a step are looked for with.
 struct StepReach {
   double dt;           ///< of the step just made, and, as it is taken to be, of the coming one [time]
-  double approach;     ///< the way that nodes can make towards each other, as far as their velocities tell [length]
+  double approach;     ///< twice the way that nodes can make towards each other, leaps and all [length]
   const float* depth;  ///< per node of the store: the deepest that it was in a row of the step before [length]
   bool some_deep;      ///< any of these is not zero
   const ContactPairs* pairs = nullptr;  ///< of the scene, by which things touch; null: there are none
+  double leap = 0;  ///< the way that given motions may add to what velocities tell, towards each other [length]
 };
 
 /// Depth up to which edges may have passed each other, over the size of the smaller segment.
@@ -75,16 +76,17 @@ inline constexpr double open_gap = 0.02;
 inline constexpr double near_gap = 0.15;
 
 /// Whether a node may have come in through a segment, or come near it: no further away than near_gap but for what has
-/// closed, or may close, within a step. What touched before may still be as deep. closing: in a step [length].
-inline bool may_touch(double gap, double closing, double size, double depth_before) {
+/// closed, or may close, within a step. What touched before may still be as deep. closing: in a step, but for the leap
+/// that given motions may add [length].
+inline bool may_touch(double gap, double closing, double leap, double size, double depth_before) {
   const double within = near_gap * size + (closing > 0 ? closing : 0.0);
-  return gap > -within - depth_before && gap < within + (closing > 0 ? closing : 0.0);
+  return gap > -within - depth_before && gap < within + (closing > 0 ? closing : 0.0) + 2 * leap;
 }
 
-/// Whether a gap is worth a row: up to open_gap, and twice what closes in a step at the present rate.
-/// gap, size [length]; closing: in a step [length].
-inline bool may_close(double gap, double closing, double size) {
-  return gap < open_gap * size + (closing > 0 ? 2 * closing : 0.0);
+/// Whether a gap is worth a row: up to open_gap, and twice what closes in a step at the present rate, and by a leap.
+/// gap, size, leap [length]; closing: in a step [length].
+inline bool may_close(double gap, double closing, double leap, double size) {
+  return gap < open_gap * size + (closing + leap > 0 ? 2 * (closing + leap) : 0.0);
 }
 
 }  // namespace pinball

@@ -94,7 +94,9 @@ class NodeMeeting {
   /// Whether a foot is on the face or hardly beyond its edges.
   bool is_on_face(const NodeFoot& foot) const { return foot.past_margin <= edge_margin * radius_of(foot); }
 
-  bool may_have_row(const NodeFoot& foot) const { return may_close(foot.gap, closing(foot), size_of(foot)); }
+  bool may_have_row(const NodeFoot& foot) const {
+    return may_close(foot.gap, closing(foot), step_.leap, size_of(foot));
+  }
 
   /// The least body above this one that the node has a foot on; negative: none.
   std::int32_t next_body(std::int32_t body) const {
@@ -116,7 +118,7 @@ class NodeMeeting {
   /// Whether node and face may touch: near each other, looking at each other, and not kept apart by the mesh.
   bool looks(const NodeFoot& foot) const {
     const double depth_before = step_.depth[slave_.node];
-    if (!may_touch(foot.gap, closing(foot), size_of(foot), depth_before)) return false;
+    if (!may_touch(foot.gap, closing(foot), step_.leap, size_of(foot), depth_before)) return false;
     const Vec3<S> normal{static_cast<S>(foot.normal.x), static_cast<S>(foot.normal.y), static_cast<S>(foot.normal.z)};
     return (surface_.faces(foot.slave, normal) || is_lowest(source_, surface_, foot.slave, foot.normal)) &&
            counts(foot);

@@ -8,17 +8,17 @@
 namespace pinball {
 
 template <class S>
-void SphereRows<S>::add(const SurfaceSource<S>& source, const FeatureRow& row, double dt) {
+void SphereRows<S>::add(const SurfaceSource<S>& source, const FeatureRow& row, const StepReach& step) {
   double closing = 0;
   for (int k = 0; k < row.nodes; ++k) {
     closing += row.weight[k] * dot(double_vector_of(source.v(row.node[k])), row.direction);
   }
-  if (may_close(0 - row.depth, dt * closing, row.reach)) rows_.push_back(row);
+  if (may_close(0 - row.depth, step.dt * closing, step.leap, row.reach)) rows_.push_back(row);
 }
 
 template <class S>
 void SphereRows<S>::add_face(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const Sphere& sphere,
-                             std::int32_t number, double dt) {
+                             std::int32_t number, const StepReach& step) {
   if (!surface.active_segment(number)) return;
   const auto& segment = surface.segments()[number];
   const Vec3<double> centre = double_vector_of(source.x(sphere.node));
@@ -41,11 +41,12 @@ void SphereRows<S>::add_face(const SurfaceSource<S>& source, const SegmentSurfac
   row.reach = std::min(radius, static_cast<double>(segment.size));
   row.add_node(sphere.node, -1);
   row.add_side(segment.node, at.weight, 1);
-  add(source, row, dt);
+  add(source, row, step);
 }
 
 template <class S>
-void SphereRows<S>::add_sphere(const SurfaceSource<S>& source, const Sphere& first, const Sphere& second, double dt) {
+void SphereRows<S>::add_sphere(const SurfaceSource<S>& source, const Sphere& first, const Sphere& second,
+                               const StepReach& step) {
   const Vec3<double> to = double_vector_of(source.x(first.node)) - double_vector_of(source.x(second.node));
   const double distance = std::sqrt(dot(to, to));
   if (!(distance > 0)) return;
@@ -59,20 +60,20 @@ void SphereRows<S>::add_sphere(const SurfaceSource<S>& source, const Sphere& fir
   row.reach = std::min(radius1, radius2);
   row.add_node(first.node, -1);
   row.add_node(second.node, 1);
-  add(source, row, dt);
+  add(source, row, step);
 }
 
 template <class S>
 void SphereRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
-                         const SphereSurface<S>& spheres, const SpherePairs& pairs, double dt) {
+                         const SphereSurface<S>& spheres, const SpherePairs& pairs, const StepReach& step) {
   rows_.clear();
   const auto takes_part = [&](std::int32_t s) { return surface.topology().alive(spheres.spheres()[s].slot); };
   for (const auto& [sphere, segment] : pairs.with_segments) {
-    if (takes_part(sphere)) add_face(source, surface, spheres.spheres()[sphere], segment, dt);
+    if (takes_part(sphere)) add_face(source, surface, spheres.spheres()[sphere], segment, step);
   }
   for (const auto& [first, second] : pairs.with_spheres) {
     if (!takes_part(first) || !takes_part(second)) continue;
-    add_sphere(source, spheres.spheres()[first], spheres.spheres()[second], dt);
+    add_sphere(source, spheres.spheres()[first], spheres.spheres()[second], step);
   }
 }
 

@@ -18,9 +18,9 @@ class SphereRows {
  public:
   using SpherePairs = typename FeatureLists<S>::SpherePairs;
 
-  /// Finds the rows of all pairs listed. dt: the step just made, for what may close in the next.
+  /// Finds the rows of all pairs listed. step: for what may close in it.
   void find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres,
-            const SpherePairs& pairs, double dt);
+            const SpherePairs& pairs, const StepReach& step);
   void give_to(ImpulseSolver<S>& impulses) const {
     for (const FeatureRow& row : rows_) row.give_to(impulses);
   }
@@ -29,9 +29,9 @@ class SphereRows {
  private:
   using Sphere = typename SphereSurface<S>::Sphere;
   void add_face(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const Sphere& sphere,
-                std::int32_t segment, double dt);
-  void add_sphere(const SurfaceSource<S>& source, const Sphere& first, const Sphere& second, double dt);
-  void add(const SurfaceSource<S>& source, const FeatureRow& row, double dt);
+                std::int32_t segment, const StepReach& step);
+  void add_sphere(const SurfaceSource<S>& source, const Sphere& first, const Sphere& second, const StepReach& step);
+  void add(const SurfaceSource<S>& source, const FeatureRow& row, const StepReach& step);
 
   std::vector<FeatureRow> rows_;
 };

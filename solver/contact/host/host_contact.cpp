@@ -53,9 +53,10 @@ class HostContactOf final : public HostContact {
     source_.gather_motion(*arrays, eroded_.empty() ? contact_->listed_nodes() : nullptr);
     contact_->update_surface(source_, eroded_);
     eroded_.clear();
-    contact_->search(source_, dt_before);
-    springs_ = contact_->before_step(source_, dt_before);
     dt_before_ = dt_before;
+    // The first step has none before it: how much closes in it is known when its length is.
+    waits_ = contact_->looks_ahead() && dt_before == 0;
+    if (!waits_) look(0);
     updated_ = true;
   }
 
@@ -66,6 +67,7 @@ class HostContactOf final : public HostContact {
     require_step(dt_after, "dt_after");
     if (!updated_) throw HostError(PINBALL_CONTACT_BAD_ORDER, "add_forces: expected update before it");
     const ThreadCount threads(threads_);
+    if (waits_ || (contact_->looks_ahead() && dt_after > 2 * dt_before_)) look_further(*arrays, dt_after);
     ContactWork work = springs_;
     if (work.pairs > 0) add_springs(*arrays, work);
     work += add_impulses(*arrays, dt_after);
@@ -91,6 +93,18 @@ class HostContactOf final : public HostContact {
       throw HostError(PINBALL_CONTACT_BAD_OPTION,
                       "arrays->force_records: expected 0, or 1 where arrays->force are aligned records of four");
     }
+  }
+
+  void look(double dt_coming) {
+    contact_->expect({.dt = dt_coming});
+    contact_->search(source_, dt_before_);
+    springs_ = contact_->before_step(source_, dt_before_);
+  }
+
+  /// What closes in a step is looked for by the step before, which may have been much shorter.
+  void look_further(const pinball_contact_arrays& arrays, double dt_after) {
+    source_.gather_motion(arrays, nullptr);
+    look(dt_after);
   }
 
   void add_springs(const pinball_contact_arrays& arrays, ContactWork& work) {
@@ -133,6 +147,7 @@ class HostContactOf final : public HostContact {
   ContactWork springs_;               ///< of update, whose forces add_forces adds
   double dt_before_ = 0;
   bool updated_ = false;  ///< add_forces is due
+  bool waits_ = false;    ///< and has to look for what may touch
   ContactLedger ledger_;
   std::string warning_;
 };
