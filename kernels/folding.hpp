@@ -102,15 +102,30 @@ struct CornerJacobian {
   MaskOf<T> is_there;       ///< all edges have a length
 };
 
+/// Square of a half edge that is none [length^2]: of two corners that are one node it may be what rounding has left of
+/// the ways to them (corner_differences.hpp), some last digits of the longest edge.
 template <class T>
-PINBALL_FUNCTION CornerJacobian<T> corner_jacobian(const HalfEdges<T>& half, int xi, int eta, int zeta) {
+PINBALL_FUNCTION T square_of_no_edge(const HalfEdges<T>& half) {
+  using S = ScalarOf<T>;
+  constexpr S digits = sizeof(S) == 8 ? S(0x1p-49) : S(0x1p-20);  // eight times the last
+  T longest(0);
+  for (const auto& axis : half.along) {
+    for (const Vec3<T>& edge : axis) longest = maximum(longest, dot(edge, edge));
+  }
+  return T(digits * digits) * longest;
+}
+
+/// no_edge: square_of_no_edge().
+template <class T>
+PINBALL_FUNCTION CornerJacobian<T> corner_jacobian(const HalfEdges<T>& half, const T& no_edge, int xi, int eta,
+                                                   int zeta) {
   const Vec3<T>&a = half.along[0][2 * zeta + eta], &b = half.along[1][2 * zeta + xi], &c = half.along[2][2 * eta + xi];
   CornerJacobian<T> j;
   j.by_half_edge[0] = cross(b, c);
   j.by_half_edge[1] = cross(c, a);
   j.by_half_edge[2] = cross(a, b);
   j.value = dot(a, j.by_half_edge[0]);
-  j.is_there = dot(a, a) > T(0) && dot(b, b) > T(0) && dot(c, c) > T(0);
+  j.is_there = dot(a, a) > no_edge && dot(b, b) > no_edge && dot(c, c) > no_edge;
   return j;
 }
 
@@ -118,9 +133,10 @@ PINBALL_FUNCTION CornerJacobian<T> corner_jacobian(const HalfEdges<T>& half, int
 template <class T>
 PINBALL_FUNCTION T least_corner_share(const Vec3<T> (&corner)[8], const T& volume) {
   const HalfEdges<T> half = half_edges(corner);
+  const T no_edge = square_of_no_edge(half);
   T least(8);
   for (int i = 0; i < 8; ++i) {
-    const CornerJacobian<T> j = corner_jacobian(half, i & 1, (i >> 1) & 1, i >> 2);
+    const CornerJacobian<T> j = corner_jacobian(half, no_edge, i & 1, (i >> 1) & 1, i >> 2);
     least = select(j.is_there, minimum(least, T(8) * j.value / volume), least);
   }
   return least;
@@ -189,6 +205,7 @@ PINBALL_OUTLINED bool resist_folding(const N* position, const N* velocity, const
   Vec3<T> x[8], v[8];
   gather_corners<T, L>(position, corner, x);
   const HalfEdges<T> half = half_edges(x);
+  const T no_edge = square_of_no_edge(half);
   gather_corners<T, L>(velocity, corner, v);
   const HexahedronModes<T> modes = to_modes(x);
   const UniformGradient<T> b = uniform_gradient(modes);
@@ -206,7 +223,7 @@ PINBALL_OUTLINED bool resist_folding(const N* position, const N* velocity, const
   for (int i = 0; i < 8; ++i) {
     const int end[3] = {i & 1, (i >> 1) & 1, i >> 2};
     const int edge[3] = {2 * end[2] + end[1], 2 * end[2] + end[0], 2 * end[1] + end[0]};
-    const CornerJacobian<T> j = corner_jacobian(half, end[0], end[1], end[2]);
+    const CornerJacobian<T> j = corner_jacobian(half, no_edge, end[0], end[1], end[2]);
     const T share = to_share * j.value;
     worst = select(j.is_there, minimum(worst, share), worst);
     const auto looked_at = j.is_there && resists && share < T(2) * onset;
