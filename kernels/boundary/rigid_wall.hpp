@@ -3,24 +3,13 @@
 #include <cmath>
 
 #include "node_arrays.hpp"
+#include "wall_friction.hpp"
 
 /// Planes that no node crosses. A node that would lie behind the plane after the step gets the normal force that puts
 /// it on the plane:
 ///
 ///     N = -g / (dt_(n+1/2) (dt_(n-1/2) + dt_(n+1/2))/2 / m) ,  g = n.(x_(n+1) - p) < 0 without the wall.
-///
-/// Friction: the force across the normal that stops the node within the step, at most friction times N.
 namespace pinball {
-
-/// What a wall is, where it was at the start.
-template <class S>
-struct WallPlane {
-  S point[3], normal[3];
-  S friction;                     ///< infinite where nothing slides [-]
-  bool ends = false;              ///< in space or in time
-  S past;                         ///< how far behind it a node is past a wall that ends [length]
-  S edge[3], across[3], size[2];  ///< of a rectangle, from the point on; a size of 0: without end [length]
-};
 
 /// Lengths of the coming step, and where the wall is before and after it.
 template <class S>
@@ -32,9 +21,9 @@ struct WallStep {
 /// The nodes of a wall.
 template <class S>
 struct WallNodes {
-  const std::int32_t* nodes;  ///< the last ones have a free direction of their own
-  std::int64_t plain;         ///< how many of them have none
-  const S* free;              ///< projections of the normal, three numbers for each of the last nodes
+  const std::int32_t* nodes;  ///< the last ones are held along directions to which the wall pushes or rubs them
+  std::int64_t plain;         ///< how many of them are not
+  const WallHold<S>* hold;    ///< of each of the last nodes
   S* reaction;                ///< per node [force]
   S* drag;                    ///< friction, three numbers per node with a reaction; null: there is none [force]
 };
@@ -64,7 +53,7 @@ struct WallStop {
 /// Direction in which the wall can push its i-th node.
 template <class S>
 PINBALL_FUNCTION const S* wall_direction(const WallPlane<S>& wall, const WallNodes<S>& of, std::int64_t i) {
-  return i < of.plain ? wall.normal : of.free + 3 * (i - of.plain);
+  return i < of.plain ? wall.normal : of.hold[i - of.plain].free;
 }
 
 /// Whether a node is where the wall is, and, of a wall that ends, not past it. way: of the wall before the step.
@@ -161,25 +150,6 @@ PINBALL_FUNCTION bool wall_is_far(const NodeArrays<ScalarOf<T>>& nodes, const Wa
   return !any_lane(!(gap > room && later > room));
 }
 
-/// Force that stops a node across the normal, as far as friction allows it. f: all other forces on the node.
-template <class S>
-PINBALL_OUTLINED void wall_drag(const WallPlane<S>& wall, S reaction, const S* v, const S* f, S velocity_step,
-                                S inverse_mass, S* stopping) {
-  S along = 0, square = 0;
-  for (int k = 0; k < 3; ++k) {
-    stopping[k] = -v[k] / (velocity_step * inverse_mass) - f[k];
-    along += stopping[k] * wall.normal[k];
-  }
-  for (int k = 0; k < 3; ++k) {
-    stopping[k] -= along * wall.normal[k];
-    square += stopping[k] * stopping[k];
-  }
-  const S size = std::sqrt(square), most = wall.friction * reaction;
-  if (size > most) {
-    for (int k = 0; k < 3; ++k) stopping[k] *= most / size;
-  }
-}
-
 /// Sums up what the nodes do to a wall that ends up at step.after.
 template <class S>
 struct PushWall {
@@ -241,10 +211,16 @@ struct StopAtWall {
     }
     const S* d = wall_direction(wall, of, i);
     const S free = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];  // 1 where nothing else holds the node
-    const S reaction = -over / (mobility * free);
-    for (int k = 0; k < 3; ++k) f[k] += reaction * d[k];
-    of.reaction[i] = reaction;
-    if (of.drag != nullptr) {
+    const bool is_held = i >= of.plain;
+    if (is_held && of.drag != nullptr) {
+      rub_held(i, -over / mobility, v, f);
+    } else {
+      const S reaction = -over / (mobility * free);
+      for (int k = 0; k < 3; ++k) f[k] += reaction * d[k];
+      of.reaction[i] = reaction;
+    }
+    const S reaction = of.reaction[i];
+    if (!is_held && of.drag != nullptr) {
       S stopping[3];
       wall_drag(wall, reaction, v, f, step.velocity, nodes.inverse_mass[node], stopping);
       for (int k = 0; k < 3; ++k) of.drag[3 * i + k] = stopping[k];
@@ -253,6 +229,50 @@ struct StopAtWall {
     // A node that the wall puts on its plane still comes towards it; the next step takes that.
     const S left = wall_height(wall, x) - step.before;
     sum.join({reaction, left / step.position});
+  }
+
+ private:
+  /// needed: N d.d without friction [force].
+  PINBALL_FUNCTION void rub_held(std::int64_t i, S needed, const S* v, S* f) const {
+    const WallHold<S>& hold = of.hold[i - of.plain];
+    const S change = step.velocity * nodes.inverse_mass[of.nodes[i]];
+    const S* d = hold.free;
+    const S without = needed / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    S w[3], size = 0;
+    for (int k = 0; k < 3; ++k) {
+      w[k] = v[k] + change * (f[k] + without * d[k]);
+      size += std::abs(v[k]) + change * (std::abs(f[k]) + std::abs(without * d[k]));
+    }
+    const S rounding = sizeof(S) == 8 ? S(0x1p-44) : S(0x1p-17);
+    const WallRub<S> rub = wall_rub_of_held(wall, hold, needed, w, rounding * size, change);
+    of.reaction[i] = rub.reaction;
+    S push[3], follows[3];
+    for (int k = 0; k < 3; ++k) {
+      of.drag[3 * i + k] = rub.drag[k];
+      push[k] = rub.reaction * wall.normal[k] + rub.drag[k];
+    }
+    across_held(hold, push, follows);
+    for (int k = 0; k < 3; ++k) f[k] += follows[k];
+  }
+};
+
+/// Adds the parts of the reactions that nodes which are held do not follow: what holds them takes these up.
+template <class S>
+struct PushHeldNodes {
+  NodeArrays<S> nodes;
+  WallPlane<S> wall;
+  WallNodes<S> of;
+
+  PINBALL_FUNCTION void operator()(std::int64_t held) const {
+    const std::int64_t i = of.plain + held;
+    if (of.reaction[i] == S(0)) return;
+    S push[3], follows[3];
+    for (int k = 0; k < 3; ++k) {
+      push[k] = of.reaction[i] * wall.normal[k] + (of.drag == nullptr ? S(0) : of.drag[3 * i + k]);
+    }
+    across_held(of.hold[held], push, follows);
+    S* f = nodes.force + 4 * std::int64_t(of.nodes[i]);
+    for (int k = 0; k < 3; ++k) f[k] += push[k] - follows[k];
   }
 };
 
@@ -272,10 +292,9 @@ struct WorkOfWall {
   }
   PINBALL_FUNCTION void operator()(std::int64_t i, ExternalWork& sum) const {
     if (of.reaction[i] == S(0)) return;
-    const S* d = wall_direction(wall, of, i);
     S reaction[3];
     for (int k = 0; k < 3; ++k) {
-      reaction[k] = of.reaction[i] * d[k] + (of.drag == nullptr ? S(0) : of.drag[3 * i + k]);
+      reaction[k] = of.reaction[i] * wall.normal[k] + (of.drag == nullptr ? S(0) : of.drag[3 * i + k]);
     }
     sum.join(work_on_node(nodes, of.nodes[i], reaction, step));
   }

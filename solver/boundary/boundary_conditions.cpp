@@ -119,8 +119,13 @@ void BoundaryConditions<S>::add_loads(const NodeArrays<S>& nodes, double time, c
 }
 
 template <class S>
-void BoundaryConditions<S>::add_wall_reactions(const NodeArrays<S>& nodes, double time, const StepLengths& step) {
+void BoundaryConditions<S>::add_wall_reactions(const NodeArrays<S>& nodes, double time, const StepLengths& step,
+                                               const DueSpans& due) {
   if (walls_.any()) walls_.apply(nodes, time, step);
+  if (walls_push_held_nodes()) {
+    walls_.add_held_parts(nodes, time);
+    hold(nodes, time, step, due);
+  }
   if (named_.any() && !cycle_ends_) {
     add_held_forces(forces_before_);
     ++steps_before_;

@@ -53,7 +53,13 @@ class BoundaryConditions {
                                 const StepLengths& step) const {
     return walls_.bounds(nodes, of, time, step);
   }
-  void add_wall_reactions(const NodeArrays<S>& nodes, double time, const StepLengths& step);
+  /// Adds the reactions of walls to the forces of the nodes; what these have along directions in which nodes are held
+  /// is taken up by what holds these.
+  void add_wall_reactions(const NodeArrays<S>& nodes, double time, const StepLengths& step, const DueSpans& due);
+  /// Whether add_wall_reactions() holds nodes once more: somebody asks for the forces, or the work, of what holds them.
+  bool walls_push_held_nodes() const {
+    return walls_.push_held_nodes() && (prescribes_ || (constrains_ && named_.of_constraints()));
+  }
   /// Whether it exerts forces on nodes that are tied, whose accelerations count_work() needs then.
   bool loads_tied_nodes() const {
     return !loads_.empty() || pressures_.any() || of_host_ || gravity_.loads_tied_nodes();

@@ -85,6 +85,13 @@ void RigidWalls<S>::apply(const NodeArrays<S>& nodes, double time, const StepLen
 }
 
 template <class S>
+void RigidWalls<S>::add_held_parts(const NodeArrays<S>& nodes, double time) {
+  for (Wall& wall : walls_) {
+    if (wall.when.contains(time)) wall.nodes->push_held(nodes, wall.plane);
+  }
+}
+
+template <class S>
 ExternalWork RigidWalls<S>::work(const NodeArrays<S>& nodes, const StepLengths& step) const {
   ExternalWork sum;
   for (const Wall& wall : walls_) wall.nodes->add_work(nodes, wall.plane, step, sum);

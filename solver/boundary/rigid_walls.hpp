@@ -22,10 +22,10 @@ namespace pinball {
 /// It is released by itself when it is pulled away, for then it would not lie behind. A node that hits the wall loses
 /// the energy of its normal velocity, as in a plastic impact of its mass: less with each refinement of the mesh.
 ///
-/// Friction: the force across the normal that stops the node within the step, at most friction times N. Along
-/// directions in which constraints or prescribed velocities hold a node at rest it has nothing to stop.
+/// Friction: the force across the normal that stops the node within the step, at most friction times N.
 ///
-/// Where constraints hold a node, only the part of the reaction along its free directions moves it. Several walls act
+/// Where constraints or prescribed velocities hold a node, only the part of reaction and friction along its free
+/// directions moves it, and they take up the rest. Several walls act
 /// one after the other: where their normals are not perpendicular, a node in the corner may for a step be behind the
 /// earlier ones.
 ///
@@ -48,6 +48,10 @@ class RigidWalls {
                                 const StepLengths& step) const;
   /// Adds the reactions to the forces of the nodes, after everything else that acts on them; time: of the forces.
   void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step);
+  /// Whether the reactions have parts that nodes do not follow, since they are held.
+  bool push_held_nodes() const { return pushes_held_; }
+  /// Adds these to the forces of the nodes: before what holds them takes them up.
+  void add_held_parts(const NodeArrays<S>& nodes, double time);
   /// Work of the reactions that apply() has set; to be called when all forces are known.
   ExternalWork work(const NodeArrays<S>& nodes, const StepLengths& step) const;
 
@@ -77,6 +81,7 @@ class RigidWalls {
   std::vector<Wall> walls_;
   std::vector<WallResult> results_;
   double closing_ = 0;
+  bool pushes_held_ = false;
 };
 
 }  // namespace pinball

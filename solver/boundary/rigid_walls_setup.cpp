@@ -59,7 +59,12 @@ typename RigidWalls<S>::Wall RigidWalls<S>::wall_of(const Model<S>& model, const
   copy_to(given.plane.normal, plane.normal);
   plane.friction = given.sliding ? static_cast<S>(given.friction) : std::numeric_limits<S>::infinity();
   plane.ends = given.edge || !given.when.always();
-  plane.past = static_cast<S>(1e-5 * size);
+  double farthest = 0;
+  for (const Point& x : model.mesh.nodes) {
+    for (const double component : x) farthest = std::max(farthest, std::abs(component));
+  }
+  // Places have no more digits than that.
+  plane.past = static_cast<S>(std::max(1e-5 * size, 8 * farthest * std::numeric_limits<S>::epsilon()));
   if (given.edge) {  // measured from the given point
     Point edge = *given.edge;
     make_orthogonal(edge, {given.plane.normal});
@@ -100,12 +105,14 @@ void RigidWalls<S>::stand_back(const Model<S>& model, const RigidWall& given, Wa
 template <class S>
 void RigidWalls<S>::take_held_directions(const Model<S>& model) {
   if (walls_.empty()) return;
+  pushes_held_ = false;
   const HeldDirections held = held_directions(model);
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const RigidWall& given = model.scene.rigid_walls[w];
     std::vector<std::int32_t> nodes;
-    std::vector<S> free_directions;
-    std::vector<std::pair<std::int32_t, std::array<S, 3>>> oblique;
+    std::vector<WallHold<S>> holds;
+    std::vector<std::pair<std::int32_t, WallHold<S>>> held_nodes;
+    const bool rubs = walls_[w].plane.friction > S(0);
     for (const std::int32_t n : nodes_behind(model.mesh, given)) {
       const std::int32_t node = model.node_of_scene_node[n];
       Point free = given.plane.normal;
@@ -115,18 +122,23 @@ void RigidWalls<S>::take_held_directions(const Model<S>& model) {
         for (std::size_t k = 0; k < 3; ++k) free[k] -= along * h[k];
       }
       const double part = std::hypot(free[0], free[1], free[2]);
-      if (part > 1 - 1e-12) {
+      if (part > 1 - 1e-12 && (!rubs || held.of(node).empty())) {
         nodes.push_back(node);
       } else if (part > 1e-6) {  // else the wall cannot move it
-        oblique.push_back({node, {static_cast<S>(free[0]), static_cast<S>(free[1]), static_cast<S>(free[2])}});
+        WallHold<S> hold{};
+        copy_to(free, hold.free);
+        std::size_t count = 0;
+        for (const Point& h : held.of(node)) copy_to(h, hold.held[count++]);
+        held_nodes.push_back({node, hold});
       }
     }
     std::sort(nodes.begin(), nodes.end());  // in the order of memory
-    for (const auto& [node, free] : oblique) {
+    for (const auto& [node, hold] : held_nodes) {
       nodes.push_back(node);
-      free_directions.insert(free_directions.end(), free.begin(), free.end());
+      holds.push_back(hold);
     }
-    walls_[w].nodes->set(nodes, free_directions);
+    pushes_held_ = pushes_held_ || !holds.empty();
+    walls_[w].nodes->set(nodes, holds);
   }
 }
 

@@ -56,7 +56,6 @@ ContactWork ContactStage<S>::after_constraints(Model<S>& model, const StepLength
   if (!built::contact || !contact_) return {};
   return timers.measure(Phase::contact_forces, [&] {
     const bool adds = !impulse_nodes().empty();
-    if (adds) show(NodeNumbers::all, false);
     const ContactWork work = contact_->after_constraints(ModelSurface<S>(model), step, bounds);
     if (adds && in_space_) space_.take_listed(NodeNumbers::force);
     if (adds && !in_space_) space_.take(NodeNumbers::force);

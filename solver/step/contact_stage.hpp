@@ -51,6 +51,8 @@ class ContactStage {
   /// the step just made [time]; coming: what the next one may bring.
   ContactWork before_constraints(Model<S>& model, double time, double dt, const ComingStep& coming, Timers& timers,
                                  RunCounts& counts);
+  /// Brings what after_constraints reads of impulse_nodes() up to date in the model.
+  void show_impulse_nodes() { show(NodeNumbers::all, false); }
   /// What acts on velocities that constraints leave: impulses, as forces added to the nodes. bounds: of
   /// impulse_nodes(), by what stops them afterwards.
   ContactWork after_constraints(Model<S>& model, const StepLengths& step, std::span<const NodeBound> bounds,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <solver/base/built_features.hpp>
+#include <solver/boundary/space/model_arrays.hpp>
 #include <solver/device/device_run.hpp>
 #include <solver/model/selection/near_nodes.hpp>
 #include <solver/results/sound_bounds.hpp>
@@ -138,7 +139,7 @@ void Solver<S>::make_step(const Due& due) {
   boundary_forces(due);                                         // 1-2  f += loads, damping; ties; constraints, given v
   share_rigid_forces();                                         //      f of rigid bodies: those of their common motion
   const ContactWork impulses = contact_after_constraints(due);  //      f += impulses of contact; the last two again
-  wall_reactions();                                             //      f += rigid walls
+  wall_reactions(due);                                          //      f += rigid walls
   const MotionEnergy motion = integrate(due);                   // 5-6  v += dt f/m, x += dt v, f = 0
   reflect_at_symmetry_planes();                                 //      what erosion has set free
   follow_ties();                                                //      tied nodes go where their faces do
@@ -261,8 +262,9 @@ void Solver<S>::share_rigid_forces() {
 
 template <class S>
 ContactWork Solver<S>::contact_after_constraints(const Due& due) {
+  if (!contact_.impulse_nodes().empty()) timers_.measure(Phase::contact_forces, [&] { contact_.show_impulse_nodes(); });
   const std::vector<NodeBound> bounds =
-      boundary_.bounds(space_->nodes(NodeNumbers::none), contact_.impulse_nodes(), clock_.time(), clock_.lengths());
+      boundary_.bounds(node_arrays(model_), contact_.impulse_nodes(), clock_.time(), clock_.lengths());
   const ContactWork work = contact_.after_constraints(model_, clock_.lengths(), bounds, timers_);
   if (contact_.acts_on_velocities()) {  // they may have loaded nodes that are held
     timers_.measure(Phase::boundary_conditions, [&] { hold(due); });
@@ -272,10 +274,11 @@ ContactWork Solver<S>::contact_after_constraints(const Due& due) {
 }
 
 template <class S>
-void Solver<S>::wall_reactions() {
+void Solver<S>::wall_reactions(const Due& due) {
   if (!built::boundary_conditions || !boundary_.any()) return;
   timers_.measure(Phase::boundary_conditions, [&] {
-    boundary_.add_wall_reactions(space_->nodes(NodeNumbers::force), clock_.time(), clock_.lengths());
+    const NodeNumbers changes = boundary_.walls_push_held_nodes() ? NodeNumbers::all : NodeNumbers::force;
+    boundary_.add_wall_reactions(space_->nodes(changes), clock_.time(), clock_.lengths(), schedule_.due_spans(due));
     if (tied_.any() && boundary_.loads_tied_nodes()) {
       space_->show(NodeNumbers::force);
       tied_.put_accelerations(model_);

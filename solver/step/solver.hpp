@@ -167,7 +167,7 @@ class Solver {
   void follow_constraints();
   void share_rigid_forces();
   ContactWork contact_after_constraints(const Due& due);
-  void wall_reactions();
+  void wall_reactions(const Due& due);
   MotionEnergy integrate(const Due& due);
   void reflect_at_symmetry_planes();
   void follow_ties();

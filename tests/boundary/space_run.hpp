@@ -68,7 +68,7 @@ class SpaceRun {
     boundary_.follow(model_, arrays(), time_, lengths);
     boundary_.add_loads(arrays(), time_, lengths);
     boundary_.hold(arrays(), time_, lengths);
-    boundary_.add_wall_reactions(arrays(), time_, lengths);
+    boundary_.add_wall_reactions(arrays(), time_, lengths, {});
     boundary_.count_work(arrays(), lengths);
     parallel_for("integration", RangePolicy<Space>{0, model_.nodes.count},
                  IntegrateNodes<S>{arrays(), force_left_.data(), S(lengths.velocity()), S(length)});

@@ -154,6 +154,23 @@ TEST(FiniteWall, LeavesAloneWhatHasGonePast) {
   EXPECT_EQ(wall_of(solver).impulse, 0);
 }
 
+/// Rounding of places puts nodes behind a wall, which is not past it.
+TEST(RigidWall, WithAnEndHoldsBodiesFarFromTheOriginInSinglePrecision) {
+  Scene scene = scene_of({block("a", {3, 3, 3}, 0.1, {250, 175, 75 + 1e-4}, {0, 0, -10})}, 1e-3, false);
+  const Point normal{0.3, -0.1, std::sqrt(0.9)};
+  scene.rigid_walls = {{"floor", {{250, 175.3, 75}, normal}, "", "here"}};
+  scene.rigid_walls[0].when.end = 1;
+  scene.bodies[0].velocity = {-3, 1, -10 * normal[2]};
+  scene.gravities = {{{-3e3, 1e3, -1e4 * normal[2]}, {}, {}}};
+  scene.damping.mass = 4000;
+  Solver<float> solver(scene);
+  run(solver);
+  for (std::int64_t n = 0; n < solver.model().nodes.count; ++n) {
+    const float* x = solver.model().nodes.position_of(n);
+    EXPECT_GT((x[0] - 250) * normal[0] + (x[1] - 175.3) * normal[1] + (x[2] - 75) * normal[2], -1e-3);
+  }
+}
+
 TEST(RigidWall, ActsFromItsStartToItsEnd) {
   Scene late = falling_block();
   late.rigid_walls[0].when.start = 1e-4;

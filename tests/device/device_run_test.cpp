@@ -75,6 +75,22 @@ TEST_P(DeviceRun, TearsWedgesAndPyramidsAsTheHostDoes) {
   expect_same_run<float>(torn_shapes(Precision::float32), GetParam());
 }
 
+/// Contact asks where walls will stop nodes.
+TEST_P(DeviceRun, HasImpulsesOfContactBesideRigidWalls) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 1e-3}, {0, 0, -20}),
+                          block("b", {2, 2, 2}, 0.1, {0.03, 0.02, 0.202}, {0, 0, -60})},
+                         4e-4);
+  scene.contact = ContactSettings();
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  scene.rigid_walls[0].friction = 0.2;
+  scene.constraints = {{{0, 0, 0}, {0, 1, 0}, ""}};
+  Solver<double> host(scene);
+  run(host);
+  EXPECT_GT(host.boundary().walls()[0].impulse, 0);
+  expect_same_run<double>(scene, GetParam());
+  expect_same_run<float>(scene, GetParam());
+}
+
 TEST_P(DeviceRun, HasTetrahedraBesideHexahedra) {
   expect_same_run<double>(striking_bar_of_both(), GetParam());
   expect_same_run<float>(striking_bar_of_both(Precision::float32), GetParam());

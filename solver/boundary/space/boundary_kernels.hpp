@@ -78,13 +78,15 @@ template <class S>
 class WallKernels {
  public:
   virtual ~WallKernels() = default;
-  /// nodes: the last ones have free directions of their own, three numbers each.
-  virtual void set(const std::vector<std::int32_t>& nodes, const std::vector<S>& free) = 0;
+  /// nodes: the last ones are held.
+  virtual void set(const std::vector<std::int32_t>& nodes, const std::vector<WallHold<S>>& hold) = 0;
   virtual void clear_reactions() = 0;
   /// What the nodes do to the wall.
   virtual WallPush push(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) = 0;
   /// Sets the reactions and adds them to the forces.
   virtual WallStop stop(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) = 0;
+  /// Adds the parts of the reactions that nodes which are held do not follow.
+  virtual void push_held(const NodeArrays<S>& nodes, const WallPlane<S>& wall) = 0;
   /// Of the reactions, when all forces are known.
   virtual void add_work(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const StepLengths& step,
                         ExternalWork& sum) = 0;

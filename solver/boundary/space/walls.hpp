@@ -12,10 +12,10 @@ class SpaceWall final : public WallKernels<S> {
  public:
   SpaceWall(bool rubs, SharedNodes* sharing) : rubs_(rubs), sharing_(sharing) {}
 
-  void set(const std::vector<std::int32_t>& nodes, const std::vector<S>& free) override {
+  void set(const std::vector<std::int32_t>& nodes, const std::vector<WallHold<S>>& hold) override {
     nodes_ = list_in<Space>(nodes);
     shared_ = shared_list(sharing_, nodes.size(), [nodes](std::int64_t i) { return nodes[i]; });
-    free_ = list_in<Space>(free);
+    hold_ = list_in<Space>(hold);
     reaction_.reset(nodes.size());
     drag_.reset(rubs_ ? 3 * nodes.size() : 0);
   }
@@ -31,27 +31,30 @@ class SpaceWall final : public WallKernels<S> {
     add_sum<Space>("rigid wall", count(), StopAtWall<S>{nodes, wall, of(), step}, sum, shared_);
     return sum;
   }
+  void push_held(const NodeArrays<S>& nodes, const WallPlane<S>& wall) override {
+    for_each<Space>("held nodes of a rigid wall", hold_.size(), PushHeldNodes<S>{nodes, wall, of()});
+  }
   void add_work(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const StepLengths& step,
                 ExternalWork& sum) override {
     add_sum<Space>("work of a rigid wall", count(), WorkOfWall<S>{nodes, wall, of(), step}, sum, shared_);
   }
-  std::size_t bytes() const override { return nodes_.bytes() + free_.bytes() + reaction_.bytes() + drag_.bytes(); }
+  std::size_t bytes() const override { return nodes_.bytes() + hold_.bytes() + reaction_.bytes() + drag_.bytes(); }
 
  private:
   using Memory = typename Space::memory_space;
   std::int64_t count() const { return nodes_.size(); }
   WallNodes<S> of() {
-    const std::int64_t oblique = static_cast<std::int64_t>(free_.size()) / 3;
-    return {nodes_.data(), count() - oblique, free_.data(), reaction_.data(), rubs_ ? drag_.data() : nullptr};
+    const auto held = static_cast<std::int64_t>(hold_.size());
+    return {nodes_.data(), count() - held, hold_.data(), reaction_.data(), rubs_ ? drag_.data() : nullptr};
   }
 
   bool rubs_;
   SharedNodes* sharing_;
   SharedList shared_;
   Array<std::int32_t, Memory> nodes_;
-  Array<S, Memory> free_;      ///< 3 for each of the last nodes
-  Array<S, Memory> reaction_;  ///< per node [force]
-  Array<S, Memory> drag_;      ///< 3 per node, only where it rubs [force]
+  Array<WallHold<S>, Memory> hold_;  ///< of the last nodes
+  Array<S, Memory> reaction_;        ///< per node [force]
+  Array<S, Memory> drag_;            ///< 3 per node, only where it rubs [force]
 };
 
 template <class S, class Space>
