@@ -155,6 +155,7 @@ TEST_F(DeckRigid, MovesAsItsCardsSay) {
   EXPECT_EQ(along.quantity, MotionQuantity::displacement);
   EXPECT_EQ(along.speed, 1);
   EXPECT_THAT(along.table.factors, ElementsAre(0., 5.));
+  EXPECT_THAT(along.table.times, ElementsAre(1e-7, 1e-6 + 1e-7)) << "the curve begins at the birth";
   EXPECT_EQ(along.when.start, 1e-7);
   EXPECT_EQ(along.when.end, 8e-7);
   EXPECT_EQ(motions("2,7,0,1").at(0).axis.value(), (Point{0, 0, 1}));

@@ -109,6 +109,8 @@ TEST_F(LoadedDeck, CurvesThatDoNotReachTheEndAreReported) {
   const std::string motion = "*BOUNDARY_PRESCRIBED_MOTION_SET\n3,1,0,5,1.,0,";
   EXPECT_THAT(told("0.,0.\n5.E-7,2.\n", motion + "4.E-7\n"), Not(Contains(HasSubstr("it keeps")))) << "DEATH";
   EXPECT_THAT(told("0.,0.\n5.E-7,2.\n", motion + "6.E-7\n"), behind);
+  EXPECT_THAT(told("0.,0.\n5.E-7,2.\n", motion + "0.,5.E-7\n"), Not(Contains(HasSubstr("it keeps")))) << "BIRTH";
+  EXPECT_THAT(told("1.E-7,3.\n1.,0.\n", motion + "0.,5.E-7\n"), before) << "of the curve's own time";
 }
 
 TEST_F(LoadedDeck, YieldStressesThatDoNotBeginAtStrainZeroAreReported) {

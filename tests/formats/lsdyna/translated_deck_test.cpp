@@ -127,6 +127,8 @@ TEST_F(Deck, HoldsAndMovesFromBirthToDeath) {
   EXPECT_EQ(s.prescribed_velocities[0].velocity, (Point{0, 0.6, 0.8}));
   EXPECT_EQ(s.prescribed_velocities[0].when.start, 1e-7);
   EXPECT_EQ(s.prescribed_velocities[0].when.end, 7e-7);
+  EXPECT_THAT(s.prescribed_velocities[0].table.times, ElementsAre(1e-7, 1 + 1e-7)) << "the curve begins at the birth";
+  EXPECT_THAT(s.prescribed_velocities[1].table.times, ElementsAre(0.0, 1.0));
   EXPECT_EQ(s.prescribed_velocities[1].nodes.body, "cube");
   EXPECT_EQ(s.prescribed_velocities[1].direction.value(), (Point{0, 0.6, 0.8}));
   EXPECT_THAT(

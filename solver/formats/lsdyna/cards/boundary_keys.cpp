@@ -104,6 +104,7 @@ double end_of_run(const DeckData& data) {
 namespace {
 
 /// Of a curve that acts when it has no points: its first value holds before the first, the last one behind the last.
+/// Times of the curve count from the birth.
 void tell_ends(const DeckData& data, std::int64_t number, const DeckCurve& points, const DeckSpan& used) {
   const double end = end_of_run(data), until = used.death > 0 ? std::min(used.death, end) : end;
   const auto tell = [&](const char* what, const char* which, double time, double value) {
@@ -111,9 +112,9 @@ void tell_ends(const DeckData& data, std::int64_t number, const DeckCurve& point
                                        number, points.place.text(), what, which, time, value));
   };
   const double first = points.abscissa.front(), last = points.abscissa.back();
-  if (first > std::max(used.birth, 0.0) && points.ordinate.front() != 0)
-    tell("before", "first", first, points.ordinate.front());
-  if (last < until && points.ordinate.back() != 0) tell("behind", "last", last, points.ordinate.back());
+  if (first > 0 && points.ordinate.front() != 0) tell("before", "first", first, points.ordinate.front());
+  if (last < until - std::max(used.birth, 0.0) && points.ordinate.back() != 0)
+    tell("behind", "last", last, points.ordinate.back());
 }
 
 void require_increasing(std::int64_t number, const DeckCurve& points) {
@@ -134,7 +135,9 @@ void set_curve(const DeckData& data, const KeywordBlock& block, std::int64_t cur
   tell_ends(data, number, points, used);
   std::vector<double> factors = points.ordinate;
   for (double& factor : factors) factor *= scale == 0 ? 1.0 : scale;
-  keys.set("times", points.abscissa, "lcid");
+  std::vector<double> times = points.abscissa;
+  for (double& time : times) time += std::max(used.birth, 0.0);
+  keys.set("times", times, used.birth > 0 ? "lcid, birth" : "lcid");
   keys.set("factors", factors, "lcid, sf");
 }
 
