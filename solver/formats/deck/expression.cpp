@@ -16,7 +16,7 @@ namespace pinball {
 
 namespace {
 
-using Number = PythonNumber;
+using Number = ExpressionNumber;
 using Arguments = std::vector<Number>;
 
 enum class Language : std::uint8_t { fortran, python };
@@ -64,10 +64,10 @@ const Functions& common_functions() {
 const Functions& own_functions(Language language) {
   static const Functions fortran{
       {"aint", {1, 1, [](const Arguments& a) { return std::trunc(a[0].value); }}},
-      {"nint", {1, 1, [](const Arguments& a) { return std::round(a[0].value); }}},
+      {"nint", {1, 1, [](const Arguments& a) { return std::round(a[0].value); }, Gives::whole}},
       {"anint", {1, 1, [](const Arguments& a) { return std::round(a[0].value); }}},
-      {"mod", {2, 2, [](const Arguments& a) { return std::fmod(a[0].value, a[1].value); }}},
-      {"sign", {2, 2, [](const Arguments& a) { return std::copysign(a[0].value, a[1].value); }}},
+      {"mod", {2, 2, [](const Arguments& a) { return std::fmod(a[0].value, a[1].value); }, Gives::as_given}},
+      {"sign", {2, 2, [](const Arguments& a) { return std::copysign(a[0].value, a[1].value); }, Gives::as_given}},
   };
   static const Functions python{
       {"fabs", {1, 1, [](const Arguments& a) { return std::abs(a[0].value); }}},
@@ -136,7 +136,8 @@ class Parser {
     }
   }
   Number quotient(const Number& a, const Number& b) const {
-    const bool whole = a.is_whole && b.is_whole && language_ == Language::python;
+    const bool whole = a.is_whole && b.is_whole;
+    if (whole && language_ == Language::fortran) return {std::trunc(a.value / b.value), true};
     if (whole && std::fmod(a.value, b.value) != 0)
       throw std::invalid_argument("expected a point in one of two whole numbers, of which one divides the other");
     return {a.value / b.value, whole};
@@ -158,6 +159,8 @@ class Parser {
     const bool raised = take("**") || (language_ == Language::fortran && take("^"));
     if (!raised) return base;
     const Number exponent = factor();
+    if (language_ == Language::fortran && base.is_whole && exponent.is_whole && exponent.value < 0)
+      throw std::invalid_argument("expected a point in a whole number that is raised to one below 0");
     return {std::pow(base.value, exponent.value), is_whole_power(base, exponent)};
   }
   Number atom() {
@@ -239,12 +242,12 @@ class Parser {
 
 }  // namespace
 
-double evaluate_expression(std::string_view text, const std::function<double(std::string_view)>& value_of) {
-  const Parser::Names names = [&](std::string_view name) { return Number{value_of(name)}; };
-  return Parser(text, Language::fortran, names).whole().value;
+double evaluate_expression(std::string_view text, const std::function<ExpressionNumber(std::string_view)>& value_of) {
+  return Parser(text, Language::fortran, value_of).whole().value;
 }
 
-PythonNumber evaluate_python(std::string_view text, const std::function<PythonNumber(std::string_view)>& value_of) {
+ExpressionNumber evaluate_python(std::string_view text,
+                                 const std::function<ExpressionNumber(std::string_view)>& value_of) {
   return Parser(text, Language::python, value_of).whole();
 }
 

@@ -90,7 +90,7 @@ TEST_F(AbaqusParametersTest, LinesThatDefineNothingAreErrors) {
 /// Whole numbers divide in other ways in other versions of Python: that is refused where it matters.
 TEST(PythonExpression, FollowsTheRulesOfPython) {
   const auto value_of = [](std::string_view name) {
-    return name == "n" ? PythonNumber{7, true} : PythonNumber{name == "N" ? 0.5 : 0.0};
+    return name == "n" ? ExpressionNumber{7, true} : ExpressionNumber{name == "N" ? 0.5 : 0.0};
   };
   const auto value = [&](const char* text) { return evaluate_python(text, value_of); };
   EXPECT_EQ(value("n + N").value, 7.5);

@@ -103,7 +103,7 @@ TEST(DeckFields, ATabBetweenColumnsIsRefused) {
 }
 
 TEST(DeckExpression, FollowsTheRulesOfArithmetic) {
-  const auto value_of = [](std::string_view name) { return name == "a" ? 3.0 : 0.0; };
+  const auto value_of = [](std::string_view name) { return ExpressionNumber{name == "a" ? 3.0 : 0.0}; };
   EXPECT_EQ(evaluate_expression("1 + 2*a", value_of), 7.0);
   EXPECT_EQ(evaluate_expression("-a**2", value_of), -9.0);
   EXPECT_EQ(evaluate_expression("2^3^2", value_of), 512.0);
@@ -115,8 +115,30 @@ TEST(DeckExpression, FollowsTheRulesOfArithmetic) {
   EXPECT_THROW(evaluate_expression(std::string(100000, '('), value_of), std::invalid_argument);
 }
 
+/// As in Fortran: a division of whole numbers leaves out the rest.
+TEST(DeckExpression, DividesWholeNumbersWithoutTheRest) {
+  const auto value = [](std::string_view text) {
+    return evaluate_expression(text, [](std::string_view name) {
+      return name == "n" ? ExpressionNumber{7, true} : ExpressionNumber{7};
+    });
+  };
+  EXPECT_EQ(value("2/5"), 0.0);
+  EXPECT_EQ(value("2.0/5"), 0.4);
+  EXPECT_EQ(value("2/5."), 0.4);
+  EXPECT_EQ(value("(0-7)/2"), -3.0);
+  EXPECT_EQ(value("3*7/2 + 1.0"), 11.0);
+  EXPECT_EQ(value("n/2"), 3.0);
+  EXPECT_EQ(value("a/2"), 3.5);
+  for (const char* whole : {"nint(6.6)", "mod(15,8)", "max(7,4)", "abs(0-7)", "sign(7,1)", "int(7.9)", "7**1"})
+    EXPECT_EQ(value(std::string(whole) + "/2"), 3.0) << whole;
+  for (const char* real : {"sqrt(49)", "float(7)", "aint(7.5)", "mod(15.,8)", "7e0", "7**1."})
+    EXPECT_EQ(value(std::string(real) + "/2"), 3.5) << real;
+  EXPECT_EQ(value("10.**-3"), 1e-3);
+  EXPECT_THROW(value("10**-3"), std::invalid_argument) << "0 in Fortran";
+}
+
 TEST(DeckExpression, TakesManyTermsAndNumbersOfAllForms) {
-  const auto none = [](std::string_view) { return 0.0; };
+  const auto none = [](std::string_view) { return ExpressionNumber{}; };
   std::string terms;
   for (int i = 0; i < 100'000; ++i) terms += "1+";
   EXPECT_EQ(evaluate_expression(terms + "1", none), 100'001.0);
@@ -214,6 +236,14 @@ TEST(KeywordDeck, ParametersStandForNumbersAndTexts) {
   const Card card{"&parts,-&speed,&speed", place};
   EXPECT_EQ(Fields(card, deck.parameters, some).number("RO"), -300.0);
   EXPECT_EQ(Fields(card, deck.parameters, some).integer("MID"), 2);
+}
+
+TEST(KeywordDeck, AnExpressionOfWholeParametersIsWhole) {
+  const KeywordDeck deck = parse_keyword_deck(
+      "*PARAMETER\nI count, 7, R length, 7\n*PARAMETER_EXPRESSION\nR part,count/2\nR size,length/2\n", "a.k");
+  const DeckPlace place{std::make_shared<const std::string>("a.k"), 1};
+  EXPECT_EQ(deck.parameters.value("&part", place), "3");
+  EXPECT_EQ(deck.parameters.value("&size", place), "3.5");
 }
 
 TEST(KeywordDeck, AnExpressionThatFailsIsNamedWithItsPlace) {

@@ -28,7 +28,7 @@ bool take_quotes(std::string_view& text) {
   return quoted;
 }
 
-std::string text_of_number(const PythonNumber& number) {
+std::string text_of_number(const ExpressionNumber& number) {
   return number.is_whole && std::abs(number.value) < largest_integer ? fmt::format("{:.0f}", number.value)
                                                                      : fmt::format("{}", number.value);
 }
@@ -66,7 +66,7 @@ AbaqusParameters::Parameter AbaqusParameters::evaluated(std::string_view name, s
                                                         const DeckPlace& place) {
   if (take_quotes(expression)) return {std::string(expression), {}, place, blocks_};
   try {
-    const PythonNumber number = evaluate_python(expression, [&](std::string_view other) {
+    const ExpressionNumber number = evaluate_python(expression, [&](std::string_view other) {
       const Parameter& known = find(other, place);
       if (!known.number) throw std::invalid_argument(fmt::format("expected a number, {} is a text", other));
       return *known.number;

@@ -34,7 +34,7 @@ class AbaqusParameters {
  private:
   struct Parameter {
     std::string text;
-    std::optional<PythonNumber> number{};  ///< none: it is a text
+    std::optional<ExpressionNumber> number{};  ///< none: it is a text
     DeckPlace place{};
     int block = 0;  ///< the *PARAMETER that it is of
     bool is_used = false;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <solver/base/text_distance.hpp>
-#include <solver/formats/deck/expression.hpp>
 #include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
 
 #include "fields.hpp"
@@ -135,10 +134,10 @@ const Parameters::Value& Parameters::find(std::string_view name, const DeckPlace
                              known.empty() ? "" : fmt::format(", nearest is {}", nearest(std::string(name), known))));
 }
 
-double Parameters::number(std::string_view name, const DeckPlace& place) const {
+ExpressionNumber Parameters::number(std::string_view name, const DeckPlace& place) const {
   const Value& value = find(name, place);
-  if (const auto* real = std::get_if<double>(&value)) return *real;
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* real = std::get_if<double>(&value)) return {*real};
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return {static_cast<double>(*whole), true};
   fail_at(place, fmt::format("parameter {}: expected a number, it is a text", name));
 }
 

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include <solver/formats/deck/expression.hpp>
+
 #include "keyword_block.hpp"
 
 namespace pinball {
@@ -39,7 +41,7 @@ class Parameters {
   void set(std::string_view declaration, std::string_view text, const DeckPlace& place);
   void define(const std::string& name, char kind, double number, const DeckPlace& place);
   void define(const std::string& name, Value value, const DeckPlace& place);
-  double number(std::string_view name, const DeckPlace& place) const;
+  ExpressionNumber number(std::string_view name, const DeckPlace& place) const;
   const Value& find(std::string_view name, const DeckPlace& place) const;
 
   std::map<std::string, Parameter> values_;
