@@ -6,6 +6,7 @@
 namespace pinball::test::radioss_differences_test {
 namespace {
 
+using ::testing::DoubleEq;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -85,6 +86,23 @@ TEST_F(RadiossDifferences, SkewsHaveAnOriginFromVersion120On) {
   };
   EXPECT_THAT(direction("2022", "\n"), ElementsAre(0, 1, 0));  // Y x Z = z x x
   EXPECT_THAT(direction(" 110", ""), ElementsAre(0, 1, 0));
+}
+
+/// Z' stays, and Y' is turned into the plane at right angles to it.
+TEST_F(RadiossDifferences, AxesThatAreNotAtRightAnglesKeepZ) {
+  const auto direction = [&](const char* axis) {
+    return scene(cube_with(top() + "/SKEW/FIX/3\ns\n\n" + twenty({0, 2, 0}) + twenty({0, 3, 4}) + "/FUNCT/5\nf\n" +
+                           twenty({0, 1}) + "/IMPVEL/1\nv\n" + ten({"5", axis, "3", "0", "5"}) + "\n"))
+        .prescribed_velocities.at(0)
+        .direction.value();
+  };
+  EXPECT_EQ(direction("X"), (Point{1, 0, 0}));
+  EXPECT_THAT(direction("Y"), ElementsAre(0, DoubleEq(0.8), DoubleEq(-0.6)));
+  EXPECT_EQ(direction("Z"), (Point{0, 0.6, 0.8}));
+  const Scene spins =
+      scene(cube_with(top() + "/FRAME/FIX/3\nf\n" + twenty({0, 0, 0}) + twenty({0, 2, 0}) + twenty({0, 3, 4}) +
+                      "/INIVEL/AXIS/1\nv\n" + ten({"Z", "3", "5"}) + twenty({0, 0, 10, 0})));
+  EXPECT_THAT(spins.initial_velocities.at(0).velocity, ElementsAre(0, DoubleEq(6), DoubleEq(8)));
 }
 
 TEST_F(RadiossDifferences, PressuresPushAlongTheNormalsOfSegments) {

@@ -89,7 +89,8 @@ void RadiossData::read_function(const RadiossBlock& block) {
   if (x.empty()) fail_at(block.place, block.title + ": expected at least one point");
 }
 
-/// Y' and, in the plane of Y' and Z', Z'; a skew of version 120 on and a frame have an origin before these.
+/// Z' and, in the plane of both, Y': X is Y' x Z' and Y is Z' x X, as in the starter (hm_read_skw.F, hm_read_frm.F). A
+/// skew of version 120 on and a frame have an origin before these.
 void RadiossData::read_axes(const RadiossBlock& block) {
   constexpr std::int64_t skews_with_origin = 120;
   given_.add(fmt::format("{} {}", block.name, block.id()), block.place);
@@ -100,8 +101,9 @@ void RadiossData::read_axes(const RadiossBlock& block) {
                  second = lines.require("the axis Y of the system"), third = lines.require("the axis Z of the system");
   const RadiossFields o(first, block, frame ? radioss::frame_origin : radioss::axes_origin),
       a(second, block, radioss::axes_y), b(third, block, radioss::axes_z);
-  const Point y = radioss_unit(a.point("X1"), second.place), x = radioss_unit(cross(y, b.point("X2")), third.place);
-  const std::array<Point, 3> axes{x, y, cross(x, y)};
+  const Point y = radioss_unit(a.point("X1"), second.place), z = radioss_unit(b.point("X2"), third.place),
+              x = radioss_unit(cross(y, z), third.place);
+  const std::array<Point, 3> axes{x, cross(z, x), z};
   if (frame) {
     frames_[block.id()] = {o.point("Ox"), axes};
   } else {
