@@ -45,6 +45,15 @@ TEST_F(AbaqusHeat, SoftensWherePlasticWorkStays) {
               HasSubstr("*INELASTIC HEAT FRACTION: expected 0 to 1, got 1.1"));
 }
 
+TEST_F(AbaqusHeat, IsOfAllStepsOrOfNone) {
+  const std::string heat = "*SPECIFIC HEAT\n4.6E8,\n", model = softening(heat) + start("all, 20.\n");
+  EXPECT_EQ(error(model + adiabatic + adiabatic), no_error);
+  const std::string differ = "*DYNAMIC: ADIABATIC in some of the steps alone (deck.inp:";
+  EXPECT_THAT(error(model + adiabatic + abaqus_step()), HasSubstr(differ));
+  EXPECT_THAT(error(model + abaqus_step() + adiabatic), HasSubstr(differ));
+  EXPECT_EQ(error(abaqus_cube + abaqus_steel + abaqus_step() + adiabatic), no_error) << "nothing becomes warm";
+}
+
 TEST_F(AbaqusHeat, BeginsWhereSofteningDoes) {
   const std::string heat = "*SPECIFIC HEAT\n4.6E8,\n";
   EXPECT_THAT(error(softening(heat) + start("all, 30.\n") + adiabatic),

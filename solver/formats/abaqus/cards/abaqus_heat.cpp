@@ -48,12 +48,19 @@ std::vector<bool> parts_of_material(const AbaqusData& data, const std::string& m
   return parts;
 }
 
-/// *DYNAMIC TEMPERATURE-DISPLACEMENT; null: there is none.
+/// *DYNAMIC TEMPERATURE-DISPLACEMENT
+bool lets_heat_flow(const AbaqusBlock& block) {
+  return block.name == "DYNAMIC" && block.title.find('-') != std::string::npos;
+}
+
+/// The step keeps, or conducts, the heat of plastic work.
+bool warms_materials(const AbaqusBlock& block) {
+  return lets_heat_flow(block) || (block.name == "DYNAMIC" && block.has("ADIABATIC"));
+}
+
+/// The first of these; null: there is none.
 const AbaqusBlock* flow_of_heat(const AbaqusDeck& deck) {
-  const auto is_it = [](const AbaqusBlock& block) {
-    return block.name == "DYNAMIC" && block.title.find('-') != std::string::npos;
-  };
-  const auto found = std::ranges::find_if(deck.blocks, is_it);
+  const auto found = std::ranges::find_if(deck.blocks, lets_heat_flow);
   return found == deck.blocks.end() ? nullptr : &*found;
 }
 
@@ -76,10 +83,14 @@ double shortest_edge(const AbaqusData& data, const std::string& material) {
 
 }  // namespace
 
-bool is_adiabatic(const AbaqusDeck& deck) {
-  return flow_of_heat(deck) != nullptr || std::ranges::any_of(deck.blocks, [](const AbaqusBlock& block) {
-           return block.name == "DYNAMIC" && block.has("ADIABATIC");
-         });
+bool is_adiabatic(const AbaqusDeck& deck) { return std::ranges::any_of(deck.blocks, warms_materials); }
+
+void require_heat_in_all_steps(AbaqusData& data) {
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name != "DYNAMIC" || warms_materials(block)) continue;
+    return data.report.reject(block.place, "*DYNAMIC: ADIABATIC in some of the steps alone",
+                              "give it to all steps, or to none");
+  }
 }
 
 double initial_temperature(AbaqusData& data, const std::string& material) {

@@ -11,6 +11,8 @@ namespace pinball {
 
 /// Whether plastic work warms materials: a step is ADIABATIC, or of DYNAMIC TEMPERATURE-DISPLACEMENT.
 bool is_adiabatic(const AbaqusDeck& deck);
+/// Refuses a deck of which some steps warm a material, and others do not.
+void require_heat_in_all_steps(AbaqusData& data);
 
 /// The options of a material that say what heat does; null: it has none.
 struct AbaqusHeat {

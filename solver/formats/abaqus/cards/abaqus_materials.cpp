@@ -207,6 +207,7 @@ void tell_heat(AbaqusData& data, const WrittenMaterial& material, double density
                     heat.expansion->place.text()));
   const bool softens = plastic->option("HARDENING") == "JOHNSONCOOK";
   if (heat.expansion == nullptr && !softens) return tell_unused_heat(data, heat, "nothing depends on its temperature");
+  require_heat_in_all_steps(data);
   if (heat.specific_heat != nullptr)
     require_little_flow(data, material.key, heat, heat_constants(heat, material.deck.head->place), density);
 }
