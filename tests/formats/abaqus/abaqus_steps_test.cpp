@@ -106,6 +106,10 @@ TEST_F(AbaqusSteps, MayNotChangeWhatHasNoBeginning) {
               HasSubstr("a later step may give velocities alone"));
   EXPECT_THAT(message("*BULK VISCOSITY\n0.06, 1.2\n", "*BULK VISCOSITY\n0.1, 1.2\n"),
               HasSubstr("*BULK VISCOSITY that is another one than before (deck.inp:34)"));
+  EXPECT_THAT(message("", "*BULK VISCOSITY\n0.1, 1.2\n"),
+              HasSubstr("*BULK VISCOSITY that is another one than before (deck.inp:32)"));
+  EXPECT_EQ(message("", "*BULK VISCOSITY\n0.06, 1.2\n"), no_error) << "what held before";
+  EXPECT_EQ(message("*BULK VISCOSITY\n0.1, 1.2\n", ""), no_error) << "it goes on";
   EXPECT_THAT(error(abaqus_cube + abaqus_steel + abaqus_step() +
                     "*STEP\n*DYNAMIC, EXPLICIT, SCALE FACTOR=0.5\n, 1e-6\n*END STEP\n"),
               HasSubstr("*DYNAMIC: another SCALE FACTOR than in a step before"));

@@ -105,6 +105,7 @@ std::pair<double, double> bulk_viscosity(AbaqusData& data) {
     DataLines lines(block);
     const DataLine card = lines.require("the coefficients");
     const std::pair here{not_negative(block, card, 0, "b1", 0.06), not_negative(block, card, 1, "b2", 1.2)};
+    if (!found && block.step > 1) found = {0.06, 1.2};  // what holds in the steps before
     if (found && found != here) data.report.reject(block.place, "*BULK VISCOSITY that is another one than before");
     found = here;
   }
