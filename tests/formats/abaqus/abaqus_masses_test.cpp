@@ -48,6 +48,18 @@ TEST_F(AbaqusMasses, OfOneNodeAddUp) {
   EXPECT_THAT(made.point_masses[1].nodes.nodes, ElementsAre(7));
 }
 
+TEST_F(AbaqusMasses, MayBeOfASetOfSets) {
+  const auto mass = [&](const std::string& sets) {
+    const Scene made =
+        scene(abaqus_cube + points_ + sets + "*MASS, ELSET=Outer\n2.E-9,\n" + abaqus_steel + abaqus_step());
+    return made.point_masses.empty() ? 0.0 : made.point_masses[0].mass * made.point_masses[0].nodes.nodes.size();
+  };
+  EXPECT_EQ(mass("*ELSET, ELSET=Outer\nPoints\n"), 4e-9);
+  EXPECT_EQ(mass("*ELSET, ELSET=Outer\nInner,\n*ELSET, ELSET=Inner\nPoints\n"), 4e-9);
+  EXPECT_EQ(mass("*ELSET, ELSET=Outer\nInner,\n*ELSET, ELSET=Inner\n302\n"), 2e-9);
+  EXPECT_EQ(mass("*ELSET, ELSET=Outer\nInner\n*ELSET, ELSET=Inner\nOuter\n"), 0) << "no end";
+}
+
 TEST_F(AbaqusMasses, OfNoNodeOfASolidAreRefused) {
   const std::string rest = abaqus_steel + abaqus_step();
   EXPECT_THAT(

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include <solver/base/moments_of_inertia.hpp>
 #include <solver/mesh/file/node_masses.hpp>
@@ -14,23 +17,64 @@ namespace pinball {
 
 namespace {
 
-/// Whether *ELSET keywords of this label list an element by its number.
-bool is_in_set(const AbaqusComponent& component, const std::string& key, std::int64_t number) {
-  for (const AbaqusBlock* block : component.blocks) {
-    if (block->name != "ELSET" || label_key(block->value("ELSET").value_or("")) != key) continue;
-    const bool generates = block->has("GENERATE");
-    DataLines lines(*block);
-    while (const auto card = lines.next()) {
-      if (!generates) {
-        const std::vector<std::string_view> entries = entries_of(card->text);
-        if (std::ranges::any_of(entries, [&](std::string_view entry) { return deck_integer(entry) == number; }))
-          return true;
-        continue;
-      }
+/// A set of elements by the key of its label.
+struct SetName {
+  std::size_t component = 0;
+  std::string key;
+  auto operator<=>(const SetName&) const = default;
+};
+
+std::optional<std::size_t> component_of(const AbaqusData& data, const std::string& instance) {
+  const std::string key = label_key(instance);
+  const auto& components = data.mesh.components;
+  const auto found = std::ranges::find(components, key, &AbaqusComponent::key);
+  if (key.empty() || found == components.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - components.begin());
+}
+
+/// Sets that a label may mean, as a component calls it.
+void add_sets_of_label(const AbaqusData& data, std::size_t component, std::string_view label,
+                       std::vector<SetName>& sets) {
+  sets.push_back({component, label_key(label)});
+  const auto parts = split_label(label);
+  const auto other = parts ? component_of(data, std::string(parts->first)) : std::nullopt;
+  if (other) sets.push_back({*other, label_key(parts->second)});
+}
+
+/// Whether an *ELSET lists a number; sets: those that it names are added to these.
+bool lists(const AbaqusData& data, const AbaqusBlock& block, std::size_t component, const AbaqusPointElement& point,
+           std::vector<SetName>& sets) {
+  const bool generates = block.has("GENERATE"), is_its = component == point.component;
+  DataLines lines(block);
+  while (const auto card = lines.next()) {
+    if (generates) {
       const DataFields f(*card);
       const std::int64_t first = f.integer(0, "first"), last = f.integer(1, "last", first),
                          step = std::max<std::int64_t>(1, f.integer(2, "step", 1));
-      if (number >= first && number <= last && (number - first) % step == 0) return true;
+      if (is_its && point.number >= first && point.number <= last && (point.number - first) % step == 0) return true;
+      continue;
+    }
+    for (const std::string_view entry : entries_of(card->text)) {
+      const auto number = deck_integer(entry);
+      if (is_its && number == point.number) return true;
+      if (!number && !entry.empty()) add_sets_of_label(data, component, entry, sets);
+    }
+  }
+  return false;
+}
+
+/// Whether one of some sets, or of those that they name, has an element of one node.
+bool have(const AbaqusData& data, std::vector<SetName> sets, const AbaqusPointElement& point) {
+  std::set<SetName> seen;
+  while (!sets.empty()) {
+    const SetName name = std::move(sets.back());
+    sets.pop_back();
+    if (!seen.insert(name).second) continue;
+    if (name.component == point.component && name.key == point.set) return true;
+    for (const AbaqusBlock* block : data.mesh.components[name.component].blocks) {
+      if (block->name != "ELSET" || label_key(block->value("ELSET").value_or("")) != name.key) continue;
+      const std::size_t scope = component_of(data, block->value("INSTANCE").value_or("")).value_or(name.component);
+      if (lists(data, *block, scope, point, sets)) return true;
     }
   }
   return false;
@@ -39,11 +83,11 @@ bool is_in_set(const AbaqusComponent& component, const std::string& key, std::in
 /// The elements of one node that a *MASS or a *ROTARY INERTIA is for.
 std::vector<const AbaqusPointElement*> points_of(const AbaqusData& data, std::size_t component,
                                                  const AbaqusBlock& block) {
-  const std::string key = label_key(block.require("ELSET"));
+  std::vector<SetName> sets;
+  add_sets_of_label(data, component, block.require("ELSET"), sets);
   std::vector<const AbaqusPointElement*> points;
   for (const AbaqusPointElement& point : data.mesh.points) {
-    if (point.component != component || point.turns != (block.name == "ROTARYINERTIA")) continue;
-    if (point.set == key || is_in_set(data.mesh.components[component], key, point.number)) points.push_back(&point);
+    if (point.turns == (block.name == "ROTARYINERTIA") && have(data, sets, point)) points.push_back(&point);
   }
   return points;
 }
