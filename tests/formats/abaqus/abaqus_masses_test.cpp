@@ -60,6 +60,22 @@ TEST_F(AbaqusMasses, MayBeOfASetOfSets) {
   EXPECT_EQ(mass("*ELSET, ELSET=Outer\nInner\n*ELSET, ELSET=Inner\nOuter\n"), 0) << "no end";
 }
 
+TEST_F(AbaqusMasses, AreHeavyWhereTheirSetIs) {
+  const auto weighed = [&](const std::string& set, const std::string& sets) {
+    return abaqus_cube + points_ + "*MASS, ELSET=Points\n4.E-9,\n" + sets + abaqus_steel +
+           abaqus_step("*DLOAD\n" + set + ", GRAV, 9810., 0., 0., -1.\n");
+  };
+  const std::string lacks = "*DLOAD, GRAV of solids without the *MASS of their nodes (deck.inp:",
+                    alone = "*DLOAD, GRAV of elements of one node without the solids of their nodes (deck.inp:";
+  EXPECT_EQ(error(weighed("", "")), no_error);
+  EXPECT_EQ(error(weighed("All", "*ELSET, ELSET=All\nCube, Points\n")), no_error);
+  EXPECT_EQ(error(weighed("All", "*ELSET, ELSET=All\n10, 301, 302\n")), no_error);
+  EXPECT_THAT(error(weighed("Cube", "")), HasSubstr(lacks));
+  EXPECT_THAT(error(weighed("All", "*ELSET, ELSET=All\nCube, 301\n")), HasSubstr(lacks));
+  EXPECT_THAT(error(weighed("Points", "")), HasSubstr(alone));
+  EXPECT_THAT(error(weighed("All", "*ELSET, ELSET=All\nPoints\n")), HasSubstr(alone));
+}
+
 TEST_F(AbaqusMasses, OfNoNodeOfASolidAreRefused) {
   const std::string rest = abaqus_steel + abaqus_step();
   EXPECT_THAT(

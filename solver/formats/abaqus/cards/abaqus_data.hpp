@@ -100,10 +100,11 @@ class AbaqusData {
   const EdgeMiddles middles;  ///< of elements of ten and twenty nodes
 
   std::vector<AbaqusBody> bodies;
-  std::vector<DeckElement> body_elements;  ///< per body, when they are known
-  std::vector<AbaqusStep> steps;           ///< one after the other, at least one
-  std::vector<bool> used;                  ///< per node of the mesh: whether an element has it
-  DeckPointMasses point_masses;            ///< of nodes of solids that deform
+  std::vector<DeckElement> body_elements;               ///< per body, when they are known
+  std::vector<AbaqusStep> steps;                        ///< one after the other, at least one
+  std::vector<bool> used;                               ///< per node of the mesh: whether an element has it
+  DeckPointMasses point_masses;                         ///< of nodes of solids that deform
+  std::vector<const AbaqusPointElement*> heavy_points;  ///< MASS elements with a mass
   std::vector<AbaqusRigidBody> rigid;
   std::vector<AbaqusWall> walls;
   std::vector<std::int32_t> rigid_of_node;  ///< per node: the rigid body whose elements have it, or -1; empty: none

@@ -74,15 +74,50 @@ void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& car
     loads.add(fmt::format("that of node {} along {}", data.mesh.file.node_ids[node], "xyz"[degree - 1]));
 }
 
+/// Per node of the mesh: whether one of these bodies has it, or a rigid body with one of these has its reference there.
+std::vector<bool> nodes_of_bodies(const AbaqusData& data, const std::vector<std::string>& names) {
+  const auto is_named = [&](const std::string& name) { return std::ranges::count(names, name) > 0; };
+  std::vector<bool> sections(data.mesh.file.parts.size(), false), nodes(data.used.size(), false);
+  for (const AbaqusBody& body : data.bodies) sections[body.section] = is_named(body.name);
+  for (std::size_t e = 0; e < data.mesh.file.part.size(); ++e) {
+    if (!sections[data.mesh.file.part[e]]) continue;
+    for (const std::int32_t node : data.mesh.file.mesh.hexahedra[e]) nodes[node] = true;
+  }
+  for (const AbaqusRigidBody& rigid : data.rigid) {
+    if (rigid.node >= 0 && std::ranges::any_of(rigid.bodies, is_named)) nodes[rigid.node] = true;
+  }
+  return nodes;
+}
+
+/// What gravity does not act on as the deck has it: a *MASS is an element of its own, and has the weight that a load of
+/// its set gives it. bodies: of the set; none: it is not made of whole ones. Empty: all is done.
+std::pair<std::string, std::string> undone_weight(const AbaqusData& data, const std::string& set,
+                                                  const std::vector<std::string>& bodies, const DeckPlace& place) {
+  const std::pair<std::string, std::string> alone{
+      "*DLOAD, GRAV of elements of one node without the solids of their nodes", "put these into its ELSET"};
+  if (bodies.empty())
+    return data.elements(set, place).empty()
+               ? alone
+               : std::pair<std::string, std::string>{"*DLOAD, GRAV of a part of a section", ""};
+  if (set.empty()) return {};
+  const std::vector<bool> nodes = nodes_of_bodies(data, bodies);
+  for (const AbaqusPointElement* point : data.heavy_points) {
+    const bool is_loaded = nodes[point->node];
+    if (is_loaded == set_has_point(data, set, *point)) continue;
+    if (!is_loaded) return alone;
+    return {"*DLOAD, GRAV of solids without the *MASS of their nodes",
+            "put the elements of one node into its ELSET, or leave that blank: all of the model"};
+  }
+  return {};
+}
+
 /// Magnitude and direction of an acceleration.
 void write_gravity(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
                    DeckScene& scene) {
   const DataFields f(card);
   const std::vector<std::string> bodies = data.whole_bodies(f.text(0), card.place);
-  if (bodies.empty()) {
-    data.report.reject(card.place, "*DLOAD, GRAV of a part of a section");
-    return;
-  }
+  if (const auto [what, advice] = undone_weight(data, f.text(0), bodies, card.place); !what.empty())
+    return data.report.reject(card.place, what, advice);
   Point direction{f.number(3, "direction", 0.0), f.number(4, "direction", 0.0), f.number(5, "direction", 0.0)};
   const double length = norm(direction), magnitude = f.number(2, "magnitude", 0.0);
   if (!(length > 0)) fail_at(card.place, "*DLOAD, GRAV: expected a direction");

@@ -38,6 +38,8 @@ void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene);
 
 /// MASS and ROTARY INERTIA of elements at the reference nodes of rigid bodies, when these are found.
 void find_abaqus_point_masses(AbaqusData& data);
+/// Whether a set of elements that a step names, or one that it names, has an element of one node.
+bool set_has_point(const AbaqusData& data, const std::string& label, const AbaqusPointElement& point);
 /// The mass of a rigid body with rigid elements, or with masses at its reference node, when it is known what is held.
 void set_abaqus_mass(AbaqusData& data, const AbaqusRigidBody& rigid, const DeckKeys<RigidBody>& keys);
 

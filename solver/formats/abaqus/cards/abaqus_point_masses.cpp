@@ -224,6 +224,7 @@ void find_abaqus_point_masses(AbaqusData& data) {
         data.report.unused(block->place, block->star_name(), "its ELSET has no elements of one node of that type");
       for (const AbaqusPointElement* point : points) {
         known[point - data.mesh.points.data()] = true;
+        if (mass > 0) data.heavy_points.push_back(point);
         AbaqusRigidBody* rigid = data.rigid_at(point->node);
         if (is_mass && rigid == nullptr && is_of_solids(data, point->node)) {
           if (mass > 0) data.point_masses.add(point->node, mass, card_of(*block, block->place));
@@ -244,6 +245,12 @@ void find_abaqus_point_masses(AbaqusData& data) {
       data.report.unused(data.mesh.points[i].place, "*ELEMENT of one node", "no *MASS or *ROTARY INERTIA is for it");
   }
   weigh_rigid_bodies(data);
+}
+
+bool set_has_point(const AbaqusData& data, const std::string& label, const AbaqusPointElement& point) {
+  std::vector<SetName> sets;
+  for (std::size_t c = 0; c < data.mesh.components.size(); ++c) add_sets_of_label(data, c, label, sets);
+  return have(data, std::move(sets), point);
 }
 
 void set_abaqus_mass(AbaqusData& data, const AbaqusRigidBody& rigid, const DeckKeys<RigidBody>& keys) {

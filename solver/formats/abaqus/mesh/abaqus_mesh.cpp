@@ -178,8 +178,10 @@ class AbaqusMeshReader {
     if (const auto name = block.value("ELSET")) named_.push_back({c, false, *name, first, file_.element_ids.size()});
   }
 
-  /// Elements of one node, a line each.
+  /// Elements of one node, a line each; of their set the mesh has none.
   void read_points(const AbaqusBlock& block, const std::string& type, std::size_t c) {
+    if (const auto name = block.value("ELSET"))
+      named_.push_back({c, false, *name, file_.element_ids.size(), file_.element_ids.size()});
     DataLines lines(block);
     while (const auto card = lines.next()) {
       const DataFields f(*card);
