@@ -7,7 +7,10 @@
 namespace pinball::test::deck_bounds_test {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
+using testing::DoubleEq;
+using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
@@ -54,6 +57,24 @@ TEST_F(DeckBounds, CurvesOfTimeAreNamedByTheirOwnLine) {
   EXPECT_EQ(error(deck("1.,0.\n0.,1.\n")), "deck.k:26: *DEFINE_CURVE 9: expected times that increase, got 0 after 1");
   EXPECT_THAT(translate(deck("0.,0.\n1.E-7,1.\n")).understood,
               Contains(HasSubstr("deck.k:26): behind its last point, at 1e-07, it keeps the value 1")));
+}
+
+/// OFFA of a curve of time: it is zero up to 0.999 of that.
+TEST_F(DeckBounds, CurvesThatAreMovedToLaterTimesBeginWithZero) {
+  const std::string rest = "\n0.,10.\n1.E-6,20.\n*BOUNDARY_PRESCRIBED_MOTION_SET\n3,3,0,9,1.\n";
+  const auto deck = [&](const std::string& fields) {
+    return cube + elastic + ends + set_of_top + "*DEFINE_CURVE\n9,0," + fields + rest;
+  };
+  const auto table = [&](const std::string& fields) { return scene(deck(fields)).prescribed_velocities.at(0).table; };
+  const TimeTable moved = table("2.,1.,2.5E-7");
+  EXPECT_THAT(moved.times, ElementsAre(0.0, DoubleEq(0.999 * 5e-7), 5e-7, DoubleEq(2.5e-6)));
+  EXPECT_THAT(moved.factors, ElementsAre(0.0, 0.0, 10.0, 20.0));
+  EXPECT_THAT(translate(deck("1.,1.,5.E-7")).understood,
+              AllOf(Contains(HasSubstr("deck.k:26): OFFA: it is 0 up to 0.999 of 5e-07")),
+                    Not(Contains(HasSubstr("before its first point")))));
+  EXPECT_THAT(table("1.,1.,-5.E-7").factors, ElementsAre(10.0, 20.0));
+  EXPECT_THAT(table("1.,1.,5.E-7,0.,1").factors, ElementsAre(10.0, 20.0)) << "DATTYP 1";
+  EXPECT_THAT(translate(deck("1.,1.,5.E-7,0.,1")).understood, Contains(HasSubstr("before its first point")));
 }
 
 TEST_F(DeckBounds, IntervalsBelowZeroAreReported) {

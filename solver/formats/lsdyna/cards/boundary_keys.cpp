@@ -117,6 +117,22 @@ void tell_ends(const DeckData& data, std::int64_t number, const DeckCurve& point
     tell("behind", "last", last, points.ordinate.back());
 }
 
+/// A curve of time that OFFA moves to later times is zero before: LS-DYNA adds points at 0 and at 0.999 of OFFA.
+DeckCurve with_zero_before(const DeckData& data, std::int64_t number, const DeckCurve& given) {
+  const double until = 0.999 * given.moved;
+  DeckCurve points = given;
+  if (!(until > 0) || points.ordinate.front() == 0) return points;
+  if (points.abscissa.front() <= until) {
+    data.report.unused(points.place, "*DEFINE_CURVE: zeros before OFFA", "it has points before that");
+    return points;
+  }
+  points.abscissa.insert(points.abscissa.begin(), {0.0, until});
+  points.ordinate.insert(points.ordinate.begin(), {0.0, 0.0});
+  data.report.understood(fmt::format("*DEFINE_CURVE {} ({}): OFFA: it is 0 up to 0.999 of {:.6g}, as a curve of time",
+                                     number, points.place.text(), points.moved));
+  return points;
+}
+
 void require_increasing(std::int64_t number, const DeckCurve& points) {
   for (std::size_t i = 1; i < points.abscissa.size(); ++i) {
     if (!(points.abscissa[i] > points.abscissa[i - 1]))
@@ -130,7 +146,7 @@ void require_increasing(std::int64_t number, const DeckCurve& points) {
 void set_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,
                const DeckPlace& place, const DeckKeys<TimeTable>& keys, const DeckSpan& used) {
   const std::int64_t number = curve_number(block, curve);
-  const DeckCurve& points = data.curve(number, place);
+  const DeckCurve points = with_zero_before(data, number, data.curve(number, place));
   require_increasing(number, points);
   tell_ends(data, number, points, used);
   std::vector<double> factors = points.ordinate;

@@ -55,7 +55,7 @@ std::vector<std::int32_t> nodes_of_card(const DeckData& data, const KeywordBlock
 /// ENDTIM; without it as late as can be [time]
 double end_of_run(const DeckData& data);
 /// Times and factors of the curve of this number, multiplied by SF; an SF of 0 is 1. used: when it acts; its times
-/// count from the birth, and where it has no points for that, it is reported what holds there.
+/// count from the birth, before OFFA it is zero, and where it has no points, it is reported what holds there.
 void set_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,
                const DeckPlace& place, const DeckKeys<TimeTable>& keys, const DeckSpan& used = {});
 

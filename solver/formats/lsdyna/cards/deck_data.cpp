@@ -160,6 +160,7 @@ void DeckData::read_curve(const KeywordBlock& block) {
   const double sfa = factor_of(f, "SFA"), sfo = factor_of(f, "SFO"), offa = f.number("OFFA"), offo = f.number("OFFO");
   const std::int64_t relaxation = f.integer("SIDR");
   DeckCurve curve{{}, {}, units_of(block), relaxation == 1, head.place};
+  if (sfa * offa > 0 && f.integer("DATTYP") == 0) curve.moved = sfa * offa;
   if (relaxation == 2)
     report.unused(head.place, block.star_name() + ": SIDR", "there is no dynamic relaxation: it is for the run alone");
   while (const auto card = cards.next_filled()) {

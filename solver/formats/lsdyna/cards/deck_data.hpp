@@ -61,6 +61,7 @@ struct DeckCurve {
   DeckUnits units{};     ///< of the file that it stands in: what they mean for it, only who uses it knows
   bool relaxes = false;  ///< SIDR 1: it is for dynamic relaxation, and not for the run itself
   DeckPlace place{};
+  double moved = 0;  ///< by OFFA > 0, of DATTYP 0: a curve of time is zero up to there [time]
 };
 
 /// Curves over the strain rate.

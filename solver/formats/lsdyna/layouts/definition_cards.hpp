@@ -7,14 +7,9 @@ namespace pinball::layout {
 
 inline constexpr std::string_view written_out = "write it out in the global system";
 
-inline constexpr CardLayout curve{whole("LCID").always(),
-                                  whole("SIDR").from(0, 2),
-                                  number("SFA", 1),
-                                  number("SFO", 1),
-                                  number("OFFA"),
-                                  number("OFFO"),
-                                  whole("DATTYP").reported("all curves are those of functions"),
-                                  whole("LCINT").reported(as_they_are)};
+inline constexpr CardLayout curve{
+    whole("LCID").always(), whole("SIDR").from(0, 2), number("SFA", 1), number("SFO", 1),
+    number("OFFA"),         number("OFFO"),           whole("DATTYP"),  whole("LCINT").reported(as_they_are)};
 inline constexpr CardLayout curve_point{number("A1").columns(20), number("O1").columns(20)};
 inline constexpr CardLayout table{whole("TBID").always(), number("SFA", 1), number("OFFA")};
 inline constexpr CardLayout table_value{number("VALUE").columns(20), whole("LCID").columns(20)};
