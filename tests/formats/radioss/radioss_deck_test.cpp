@@ -42,6 +42,14 @@ TEST_F(RadiossTest, WithoutAnEnginesFileTheEndIsAskedFor) {
   EXPECT_THAT(error_of([&] { translate_radioss(path_); }), HasSubstr("NAME_0001.rad beside NAME_0000.rad"));
 }
 
+TEST_F(RadiossTest, AnEnginesFileThatGoesOnIsTold) {
+  const auto note = Contains(HasSubstr("cube_0002.rad, with which the run would go on, is not read"));
+  EXPECT_THAT(translate(cube_with("")).understood, Not(note));
+  std::ofstream((folder_ / "cube_0002.rad").string()) << "/RUN/cube/2\n2.0E-6\n";
+  EXPECT_THAT(translate(cube_with("")).understood, note);
+  EXPECT_EQ(scene(cube_with("")).time.end, 1e-6);
+}
+
 TEST_F(RadiossTest, TheEnginesFileByItselfIsNamed) {
   std::ofstream(path_) << radioss_run;
   EXPECT_THAT(error_of([&] { translate_radioss(path_); }),

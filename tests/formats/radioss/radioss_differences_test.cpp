@@ -6,9 +6,11 @@
 namespace pinball::test::radioss_differences_test {
 namespace {
 
+using ::testing::Contains;
 using ::testing::DoubleEq;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class RadiossDifferences : public RadiossTest {
  protected:
@@ -103,6 +105,28 @@ TEST_F(RadiossDifferences, AxesThatAreNotAtRightAnglesKeepZ) {
       scene(cube_with(top() + "/FRAME/FIX/3\nf\n" + twenty({0, 0, 0}) + twenty({0, 2, 0}) + twenty({0, 3, 4}) +
                       "/INIVEL/AXIS/1\nv\n" + ten({"Z", "3", "5"}) + twenty({0, 0, 10, 0})));
   EXPECT_THAT(spins.initial_velocities.at(0).velocity, ElementsAre(0, DoubleEq(6), DoubleEq(8)));
+}
+
+TEST_F(RadiossDifferences, GravityWithoutAFunctionHasAFactorOfOneWhereNoneIsGiven) {
+  const auto gravity = [&](std::initializer_list<double> factors) {
+    return scene(cube_with("/GRAV/1\ng\n" + ten({"0", "Z", "0", "0", "0", "-"}).substr(0, 60) + twenty(factors)))
+        .gravities.at(0)
+        .acceleration;
+  };
+  EXPECT_EQ(gravity({1, -9810}), (Point{0, 0, -9810}));
+  EXPECT_EQ(gravity({1, 0}), (Point{0, 0, 1}));
+}
+
+TEST_F(RadiossDifferences, RatesOfHydrodynamicMaterialsAreTold) {
+  const auto told = [&](double coefficient) {
+    return translate(radioss_begin + "/MAT/HYD_JCOOK/1\nm\n" + twenty({7.85e-9, 0}) + twenty({210000, 0.3}) +
+                     twenty({400, 500, 0.5}) + "\n" + twenty({coefficient, 1}) + "\n/EOS/POLYNOMIAL/1\ne\n" +
+                     twenty({0, 175000}) + radioss_property + radioss_cube)
+        .understood;
+  };
+  const auto note = Contains(HasSubstr("cube_0000.rad:7): the strain rate is sqrt(D:D), and in Radioss"));
+  EXPECT_THAT(told(0.02), note);
+  EXPECT_THAT(told(0), Not(note));
 }
 
 TEST_F(RadiossDifferences, PressuresPushAlongTheNormalsOfSegments) {

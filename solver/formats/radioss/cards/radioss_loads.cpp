@@ -143,7 +143,8 @@ void translate_gravity(RadiossData& data, const RadiossBlock& block, DeckScene& 
   Point direction = data.axes(f.integer("skew_ID"), line.place)[degree];
   const std::int64_t function = f.integer("fct_IDT");
   if (function == 0) {
-    for (double& component : direction) component *= f.number("Fscale_y");
+    const double given = f.number("Fscale_y"), factor = given == 0 ? 1.0 : given;  // as in the starter
+    for (double& component : direction) component *= factor;
     f.number("Ascale_x");
   }
   keys.set("acceleration", direction, "Dir");

@@ -203,7 +203,14 @@ void set_hydrodynamic(RadiossData& data, const RadiossBlock& block, RadiossLines
     law.coefficient = r.number("C");
     law.reference_rate = r.number("EPS_DOT_0");
     law.heat = {r.number("M"), r.number("Tmelt"), t.number("rhoC_p"), t.number("T_r")};
-    if (law.coefficient == 0) tell_without(data, r, block, "EPS_DOT_0", "C is 0");
+    if (law.coefficient == 0) {
+      tell_without(data, r, block, "EPS_DOT_0", "C is 0");
+    } else {
+      data.report.understood(
+          fmt::format("{} ({}): the strain rate is sqrt(D:D), and in Radioss the largest "
+                      "component of D",
+                      block.title, block.place.text()));
+    }
     if (!law.heat.softens()) {
       for (const char* name : {"M"}) tell_without(data, r, block, name, "Tmelt is 0");
       if (beside.failure == nullptr) {

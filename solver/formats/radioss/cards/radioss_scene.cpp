@@ -75,6 +75,8 @@ TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const 
   translate_radioss_joints(data, joints, bodies);
   translate_radioss_probes(data, boundary);
   data.tell_unused_definitions();
+  if (const std::string next = radioss_engine_of(path, 2); !next.empty())
+    report.understood(fmt::format("{}, with which the run would go on, is not read", next));
   for (const std::string& note : std::exchange(mesh.notes, {})) report.understood(note);
   scene.append(std::move(bodies));
   scene.append(std::move(boundary));

@@ -166,12 +166,12 @@ class RadiossReader {
 
 }  // namespace
 
-std::string radioss_engine_of(const std::string& path) {
+std::string radioss_engine_of(const std::string& path, int run) {
   constexpr std::string_view of_starter = "_0000";
   const fs::path file(path);
   std::string name = file.stem().string();
   if (!name.ends_with(of_starter)) return "";
-  name.back() = '1';
+  name.back() = static_cast<char>('0' + run);
   const fs::path engine = file.parent_path() / (name + file.extension().string());
   std::error_code none;
   return fs::is_regular_file(engine, none) ? engine.string() : "";

@@ -20,8 +20,8 @@ struct RadiossDeck {
   std::string engine;                                     ///< path of the engine's file; empty: there is none
 };
 
-/// NAME_0001.rad of a NAME_0000.rad; empty: there is no such file.
-std::string radioss_engine_of(const std::string& path);
+/// NAME_0001.rad of a NAME_0000.rad, or that of a later run, 1 to 9; empty: there is no such file.
+std::string radioss_engine_of(const std::string& path, int run = 1);
 
 /// The file of the starter alone, as a mesh. Throws InputError "FILE:LINE: ..." for a file that is missing or includes
 /// itself, and for what is no Radioss input, or one of a form before version 5.1.
