@@ -63,6 +63,15 @@ TEST_F(DeckElements, HaveTheDefaultsOfControlsWhereTheyLeaveBlanks) {
   EXPECT_EQ(form.linear_viscosity, 0.1);
 }
 
+TEST_F(DeckElements, AreToldWhereTheirViscosityIsZero) {
+  const auto told = [&](const std::string& fields) {
+    return translate(cube + elastic + ends + "*CONTROL_BULK_VISCOSITY\n" + fields).understood;
+  };
+  EXPECT_THAT(told("0.,0.\n"), AllOf(Contains(HasSubstr("*CONTROL_BULK_VISCOSITY: Q1 of 0 (")),
+                                     Contains(HasSubstr("*CONTROL_BULK_VISCOSITY: Q2 of 0 ("))));
+  EXPECT_THAT(told("1.5\n"), Not(Contains(HasSubstr("of 0 ("))));
+}
+
 TEST_F(DeckElements, ThatAreAlikeShareASetting) {
   const Scene s = scene(two_parts + "*HOURGLASS\n7,1,0.1\n");
   EXPECT_FALSE(s.bodies[0].element);

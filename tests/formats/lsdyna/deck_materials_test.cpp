@@ -37,6 +37,9 @@ TEST_F(DeckMaterials, CurvesComeBeforePointsAndThesBeforeTheTangent) {
               Contains(AllOf(HasSubstr("*MAT_024: ETAN ("), HasSubstr("that of the curve"))));
   EXPECT_THAT(told(with("300,0", "0,0,5")), Not(Contains(AnyOf(HasSubstr("EPS1"), HasSubstr("ETAN")))));
   EXPECT_THAT(material(with("300", "0", points)).yield_curves.at(0).stress, ElementsAre(250, 350));
+  const auto before = Contains(HasSubstr("EPS1: before its first plastic strain, 0.05, it keeps the stress 250"));
+  EXPECT_THAT(told(with("300", "0", "0.05,0.2\n250,350\n")), before);
+  EXPECT_THAT(told(with("300", "0", points)), Not(Contains(HasSubstr("EPS1"))));
 }
 
 TEST_F(DeckMaterials, RatesScaleEveryKindOfHardening) {

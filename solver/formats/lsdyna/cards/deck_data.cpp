@@ -14,6 +14,7 @@
 #include <solver/formats/lsdyna/scan/keyword_scanner.hpp>
 #include <solver/mesh/element_types.hpp>
 
+#include "deck_plastic_laws.hpp"
 #include "keyword_rules.hpp"
 #include "unread.hpp"
 
@@ -347,11 +348,7 @@ const DeckCurve& DeckData::curve(std::int64_t id, const DeckPlace& place) const 
 DeckCurve DeckData::yield_curve(std::int64_t id, const DeckPlace& place) const {
   DeckCurve curve = find_curve(id, place);
   for (double& stress : curve.ordinate) stress *= curve.units.stress();
-  if (curve.abscissa.front() > 0)
-    report.understood(
-        fmt::format("*DEFINE_CURVE {} ({}): before its first plastic strain, {:.6g}, it keeps the stress "
-                    "{:.6g}",
-                    id, curve.place.text(), curve.abscissa.front(), curve.ordinate.front()));
+  tell_first_strain(report, fmt::format("*DEFINE_CURVE {} ({})", id, curve.place.text()), curve);
   return curve;
 }
 

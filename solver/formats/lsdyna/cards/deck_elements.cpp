@@ -23,6 +23,11 @@ DeckHourglass defaults_of(DeckData& data) {
     const Fields f = data.fields(*card, layout::bulk_viscosity);
     defaults.quadratic = f.number("Q1");
     defaults.linear = f.number("Q2");
+    for (const char* name : {"Q1", "Q2"}) {
+      if (f.number(name) == 0)
+        data.report.unused(card->place, fmt::format("*CONTROL_BULK_VISCOSITY: {} of 0", name),
+                           "the viscosity is off; LS-DYNA may take its default, 1.5 and 0.06");
+    }
     if (const auto type = f.integer("TYPE"); type != 0 && type != 1 && type != -1)
       data.report.understood(
           fmt::format("*CONTROL_BULK_VISCOSITY ({}): the standard one in place of TYPE {}", card->place.text(), type));

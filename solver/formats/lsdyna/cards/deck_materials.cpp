@@ -295,6 +295,8 @@ void set_piecewise_linear(DeckData& data, const KeywordBlock& block, const Field
   const auto points = curve_of_points(eps, es, f.place());
   if (!points && std::ranges::any_of(eps, [](double strain) { return strain != 0; }))
     not_used(data, block, f, "EPS1 to EPS8", "they have no stresses ES1 to ES8");
+  if (points && lcss == 0)
+    tell_first_strain(data.report, fmt::format("{} ({}): EPS1", block.star_name(), f.place().text()), *points);
   const DeckRate rate(second, "C", "P", second.integer("VP"));
   const bool is_table = data.table(lcss) != nullptr, by_curves = is_table || lcsr != 0;
   if (lcss != 0 && points) not_used(data, block, f, "EPS1 to EPS8, ES1 to ES8", "LCSS is used");

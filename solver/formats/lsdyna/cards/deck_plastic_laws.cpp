@@ -7,6 +7,12 @@
 
 namespace pinball {
 
+void tell_first_strain(DeckReport& report, const std::string& what, const DeckCurve& curve) {
+  if (curve.abscissa.front() > 0)
+    report.understood(fmt::format("{}: before its first plastic strain, {:.6g}, it keeps the stress {:.6g}", what,
+                                  curve.abscissa.front(), curve.ordinate.front()));
+}
+
 /// ETAN is the slope over the plastic strain, and not the tangent modulus that other materials have in its place.
 void set_isotropic_plastic(const Fields& f, const DeckKeys<Material>& keys) {
   keys.set("shear_modulus", f.number("G"), "g");

@@ -4,6 +4,8 @@
 
 namespace pinball {
 
+/// Of stresses over plastic strains that do not begin at 0. what: the curve.
+void tell_first_strain(DeckReport& report, const std::string& what, const DeckCurve& curve);
 /// *MAT_012: f: its only line.
 void set_isotropic_plastic(const Fields& f, const DeckKeys<Material>& keys);
 /// *MAT_098: f: its first line; cards: the next.
