@@ -13,7 +13,7 @@ void EnergyWatch::look(const EnergyLedger& ledger, double sound_swallowing, doub
   hourglass_measure_ =
       std::max({hourglass_measure_, energies.internal + energies.eroded, sound::least_internal * in_motion_});
   look(Watched::balance, std::abs(ledger.difference()), sound::balance * in_motion_, time);
-  look(Watched::contact_created, -energies.contact(), sound::contact_created * in_motion_, time);
+  look(Watched::contact_created, contact_ ? -energies.contact() : 0.0, sound::contact_created * in_motion_, time);
   look(Watched::contact_swallowed, energies.contact_damped,
        sound_swallowing > 0 ? sound_swallowing * in_motion_ : HUGE_VAL, time);
   look(Watched::hourglass_created, -energies.hourglass, sound::hourglass_created * hourglass_measure_, time);

@@ -31,6 +31,10 @@ class EnergyWatch {
  public:
   static constexpr std::size_t kinds = 8;
 
+  /// contact: whether there is any. Of the energy of ties alone, which what turns or stretches has more of as soon as
+  /// they lump its masses (TiedNodes), nothing is told.
+  explicit EnergyWatch(bool contact = true) : contact_(contact) {}
+
   /// All energies are at one time. sound_swallowing: bound of what contact swallows, of the energy in motion, 0: none
   /// [-]; time: of the forces.
   void look(const EnergyLedger& ledger, double sound_swallowing, double time);
@@ -56,6 +60,7 @@ class EnergyWatch {
   const Item& of(Watched kind) const { return items_[static_cast<std::size_t>(kind)]; }
   void look(Watched kind, double energy, double bound, double time);
 
+  bool contact_;
   std::array<Item, kinds> items_;
   double in_motion_ = 0, hourglass_measure_ = 0;  ///< what the energies are compared with, so far [energy]
 };

@@ -192,7 +192,7 @@ class Solver {
   ContactStage<S> contact_;
   StepClock clock_;
   EnergyLedger ledger_;
-  EnergyWatch watch_;
+  EnergyWatch watch_{contact_.contact() != nullptr};
   InsideOutWatch inside_out_;
   RunCounts counts_;
   Timers timers_;

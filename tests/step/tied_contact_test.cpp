@@ -83,7 +83,9 @@ TEST(TiedContact, MovesAsOneBody) {
   }
 }
 
-/// Two blocks with meshes that do not fit, turning about their common centre of mass for a quarter of a turn.
+/// Two blocks with meshes that do not fit, turning about their common centre of mass for a quarter of a turn. They go
+/// on as fast as they are given, with masses as ties lump them, 0.2 % more inert: the first step tells what is to be
+/// kept.
 TEST(TiedContact, KeepsEnergyAndBothMomentaOfWhatTurns) {
   Scene scene = glued(5, 3, 5e-3);
   const double w = 300;
@@ -91,6 +93,7 @@ TEST(TiedContact, KeepsEnergyAndBothMomentaOfWhatTurns) {
   scene.bodies[0].velocity = {0, 0.3 * w, 0};  // of the centroid, about the middle
   scene.bodies[1].velocity = {0, -0.3 * w, 0};
   Solver<double> solver(scene);
+  solver.step();
   const Point before = angular_momentum(solver);
   double worst = 0;
   while (!solver.at_end()) {

@@ -74,13 +74,28 @@ double TiedNodes<S>::kinetic(const TiedMotion<S>& motion) const {
   return 0.5 * twice;
 }
 
-/// From the ties that were to those that are: what is let go gets its mass back, what is tied gives its momentum to the
-/// corners.
 template <class S>
 std::size_t TiedNodes<S>::place_of_mass(std::int32_t node) const {
   return std::ranges::lower_bound(mass_, node, {}, &std::pair<std::int32_t, double>::first) - mass_.begin();
 }
 
+/// Impulses on tied nodes act on the corners as all forces on them do: with the masses that move there.
+template <class S>
+void TiedNodes<S>::give_momentum(const TiedMotion<S>& motion,
+                                 const std::vector<std::array<double, 3>>& momentum) const {
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const std::int32_t n = mass_[i].first;
+    const double mass = (*motion.node_mass)[n];
+    if (!(mass > 0)) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      S& v = record(motion.velocity, n)[c];
+      v = static_cast<S>(v + momentum[i][c] / mass);
+    }
+  }
+}
+
+/// From the ties that were to those that are: what is let go gets its mass back, what is tied gives the corners the
+/// momentum that it has beyond that of its place on the face.
 template <class S>
 void TiedNodes<S>::join(const TiedMotion<S>& motion, const std::vector<std::uint8_t>& before) {
   const double energy = kinetic(motion);
@@ -90,35 +105,34 @@ void TiedNodes<S>::join(const TiedMotion<S>& motion, const std::vector<std::uint
   const std::vector<double> mass_before = *motion.node_mass;
   active_ = now;
   set_masses(motion);
+  bool from_start = false;
+  double beyond_faces = 0;
   std::vector<std::array<double, 3>> momentum(mass_.size(), {0, 0, 0});
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (before[i] != 0 || now[i] == 0) continue;
     const TiedNode& tied = nodes_[i];
+    const bool later = times_[tied.tie].start > 0;
+    from_start = from_start || !later;
     offset_[i] = {0, 0, 0};
-    const double mass = mass_before[static_cast<std::size_t>(tied.node)];
+    const double mass = mass_before[tied.node];
     for (std::size_t c = 0; c < 3; ++c) {
-      double foot = 0;
+      const double own = record(motion.velocity, tied.node)[c];
+      double foot = 0, of_face = 0;
       for (std::size_t k = 0; k < 4; ++k) {
-        momentum[place_of_mass(tied.corner[k])][c] +=
-            tied.weight[k] * mass * static_cast<double>(record(motion.velocity, tied.node)[c]);
-        foot += tied.weight[k] * static_cast<double>(record(motion.position, tied.corner[k])[c]);
+        foot += tied.weight[k] * record(motion.position, tied.corner[k])[c];
+        of_face += tied.weight[k] * record(motion.velocity, tied.corner[k])[c];
       }
-      if (times_[static_cast<std::size_t>(tied.tie)].start > 0)
-        offset_[i][c] = static_cast<double>(record(motion.position, tied.node)[c]) - foot;
+      for (std::size_t k = 0; k < 4; ++k)
+        momentum[place_of_mass(tied.corner[k])][c] += tied.weight[k] * mass * (own - of_face);
+      beyond_faces += 0.5 * mass * (own * own - of_face * of_face);
+      if (later) offset_[i][c] = record(motion.position, tied.node)[c] - foot;
     }
   }
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
-    const std::int32_t n = mass_[i].first;
-    const double mass = (*motion.node_mass)[static_cast<std::size_t>(n)],
-                 old = mass_before[static_cast<std::size_t>(n)];
-    if (!(mass > old)) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
-      S& v = record(motion.velocity, n)[c];
-      v = static_cast<S>((old * static_cast<double>(v) + momentum[i][c]) / mass);
-    }
-  }
+  // The masses of a tie from the start are those of the model: what moves as it has to has its energy with these.
+  const double moving = from_start ? kinetic(motion) + beyond_faces : energy;
+  give_momentum(motion, momentum);
   follow(motion);
-  lost_ += energy - kinetic(motion);
+  lost_ += moving - kinetic(motion);
 }
 
 template <class S>
@@ -139,19 +153,15 @@ void TiedNodes<S>::take_velocities(const TiedMotion<S>& motion) {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (active_[i] == 0) continue;
     const std::size_t own = place_of_mass(nodes_[i].node);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double mass = nodes_[i].weight[k] * mass_[own].second;
-      std::array<double, 3>& given = momentum[place_of_mass(nodes_[i].corner[k])];
-      for (std::size_t c = 0; c < 3; ++c) given[c] += mass * change(own, c);
+    std::array<std::size_t, 4> corner{};
+    for (std::size_t k = 0; k < 4; ++k) corner[k] = place_of_mass(nodes_[i].corner[k]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      double beyond = change(own, c);
+      for (std::size_t k = 0; k < 4; ++k) beyond -= nodes_[i].weight[k] * change(corner[k], c);
+      for (std::size_t k = 0; k < 4; ++k) momentum[corner[k]][c] += nodes_[i].weight[k] * mass_[own].second * beyond;
     }
   }
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
-    const auto [node, own] = mass_[i];
-    const double mass = (*motion.node_mass)[static_cast<std::size_t>(node)];
-    if (!(mass > own)) continue;
-    for (std::size_t c = 0; c < 3; ++c)
-      record(motion.velocity, node)[c] = static_cast<S>(kept_[i][c] + (own * change(i, c) + momentum[i][c]) / mass);
-  }
+  give_momentum(motion, momentum);
   kept_.clear();
   follow(motion);
 }

@@ -45,8 +45,23 @@ struct TiedMotion {
 /// stable step of the elements remains one. The kinetic energy is that of the masses as they are lumped here, which the
 /// motion keeps.
 ///
-/// A node that is tied while it moves otherwise takes its momentum to the corners, as in a plastic impact; one that is
-/// let go takes its mass along with the velocity that it had. Both cost energy, which is counted; neither makes any.
+/// A node that is tied while it moves otherwise gives what it has beyond its face to the corners, as in a plastic
+/// impact, and so does one whose velocity a host changes. u: velocities before; M_i: all mass at i, of all nodes tied
+/// there:
+///
+///     v_i = u_i + (1/M_i) sum_s w_si m_s r_s ,   r_s = u_s - sum_j w_sj u_j
+///
+/// That is what the impulses m_s r_s on the tied nodes do in the motion as it is lumped, of all of them at once.
+/// Momentum is kept, and what they have beyond their faces comes with its angular momentum, as f_s does. Motions that
+/// obey the ties, spin and stretch among them, have r = 0 and stay as they are. It costs, with p_i = sum_s w_si m_s
+/// r_s,
+///
+///     1/2 sum_s m_s r_s^2 - 1/2 sum_i p_i^2 / M_i >= 0        as p^T M^-1 p <= r^T m r for weights of sum 1
+///
+/// and the energy of motions that obey is that of the masses as lumped: for a tie from the start that of the model from
+/// its beginning. A later one adds 1/2 sum_s m_s (sum_i w_i u_i^2 - (sum_i w_i u_i)^2) of what turns or stretches,
+/// which is counted against the cost. A node that is let go takes its mass along with the velocity that it had, which
+/// gives that back.
 ///
 /// No tied node is a corner of a face that others are tied to.
 template <class S>
@@ -71,7 +86,8 @@ class TiedNodes {
   void put_accelerations(const S* inverse_mass, S* force) const;
   /// Keeps the velocities of tied nodes and corners, which a host may change then.
   void keep_velocities(const TiedMotion<S>& motion);
-  /// Gives the corners the momentum by which a host has changed that of the tied nodes since.
+  /// Gives the corners the momentum by which a host has changed that of the tied nodes since, beyond that of their
+  /// faces.
   void take_velocities(const TiedMotion<S>& motion);
   /// Puts tied nodes where their corners take them, with their velocities.
   void follow(const TiedMotion<S>& motion) const;
@@ -95,6 +111,7 @@ class TiedNodes {
   std::size_t place_of_mass(std::int32_t node) const;
   void set_masses(const TiedMotion<S>& motion);
   void join(const TiedMotion<S>& motion, const std::vector<std::uint8_t>& before);
+  void give_momentum(const TiedMotion<S>& motion, const std::vector<std::array<double, 3>>& momentum) const;
   double kinetic(const TiedMotion<S>& motion) const;
 
   std::vector<TiedNode> nodes_;
