@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <random>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -26,6 +25,7 @@
 #include "elements/folding_onsets.hpp"
 #include "elements/mass_scaling.hpp"
 #include "initial_overlap.hpp"
+#include "initial_velocities.hpp"
 #include "interfaces/ties.hpp"
 #include "material/material_laws.hpp"
 #include "model_parts.hpp"
@@ -206,47 +206,6 @@ void invert_node_masses(Model<S>& model) {
   }
 }
 
-template <class S>
-void set_initial_velocity(Model<S>& model) {
-  const std::size_t bodies = model.scene.bodies.size();
-  std::vector<Point> centroid(bodies, Point{});
-  std::vector<double> mass(bodies, 0.0);
-  for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
-    const std::int32_t b = model.mesh.body[e];
-    const Point c = element_centre(model.mesh, e);
-    for (std::size_t k = 0; k < 3; ++k) centroid[b][k] += model.element_mass[e] * c[k];
-    mass[b] += model.element_mass[e];
-  }
-  for (std::size_t b = 0; b < bodies; ++b) {
-    for (double& c : centroid[b]) c /= mass[b];
-  }
-  std::mt19937_64 random(20240101);  // the same noise in every run
-  const auto noise = [&random] { return 2.0 * ((random() >> 11) * 0x1.0p-53) - 1.0; };
-  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    const std::int32_t b = model.mesh.body_of_node[n];
-    const Body& body = model.scene.bodies[b];
-    Point v = body.velocity;
-    const Point r = minus(model.mesh.nodes[n], centroid[b]);
-    const Point spin = cross(body.angular_velocity, r);
-    S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point& g = body.velocity_gradient[k];
-      v[k] += spin[k] + g[0] * r[0] + g[1] * r[1] + g[2] * r[2];
-      if (body.velocity_noise > 0) v[k] += body.velocity_noise * noise();
-      velocity[k] = static_cast<S>(v[k]);
-    }
-  }
-  for (const InitialVelocity& given : model.scene.initial_velocities) {
-    for (const std::int32_t n : select_nodes(model.mesh, given.nodes)) {
-      S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
-      const Point spin = cross(given.angular_velocity, minus(model.mesh.nodes[n], given.centre));
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (given.components[k]) velocity[k] = static_cast<S>(given.velocity[k] + spin[k]);
-      }
-    }
-  }
-}
-
 /// From the numbers of the scene to those of the stores.
 template <class S>
 void number_ties(Model<S>& model) {
@@ -328,7 +287,7 @@ Model<S> build_model(const Scene& given) {
   number_ties(model);
   number_rigid_nodes(model.rigid, model.node_of_scene_node);
   set_constraints(model, 0);
-  set_initial_velocity(model);
+  set_initial_velocities(model);
   const std::vector<std::string> left_out = find_left_out(model.scene, model.mesh);
   model.mesh.warnings.insert(model.mesh.warnings.end(), left_out.begin(), left_out.end());
   return model;

@@ -105,6 +105,39 @@ TEST_F(FileBodies, AreApartWhereTheyAreMovedApart) {
   EXPECT_EQ(build_mesh(moved).nodes.size(), 16u);
 }
 
+/// Whichever of the bodies is first, all has the momentum of both.
+TEST_F(FileBodies, HaveTheMeanOfTheirVelocitiesByMassAtTheSharedNodes) {
+  const auto momentum_with = [&](const Point& lower, const Point& upper) {
+    Scene given = scene();
+    given.bodies[0].velocity = lower;
+    given.bodies[1].velocity = upper;
+    const Model<double> model = build_model<double>(given);
+    Point momentum{};
+    for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
+      for (std::size_t k = 0; k < 3; ++k) momentum[k] += model.node_mass[n] * model.nodes.velocity_of(n)[k];
+    }
+    EXPECT_DOUBLE_EQ(model.nodes.velocity_of(model.node_of_scene_node[0])[0], lower[0]);
+    EXPECT_DOUBLE_EQ(model.nodes.velocity_of(model.node_of_scene_node[8])[0], upper[0]);
+    const double lower_mass = model.element_mass[0], upper_mass = model.element_mass[1];
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(momentum[k], lower_mass * lower[k] + upper_mass * upper[k], 1e-12 * (lower_mass + upper_mass)) << k;
+    }
+    return model.nodes.velocity_of(model.node_of_scene_node[4])[0];
+  };
+  EXPECT_NE(momentum_with({10, 0, 2}, {0, 3, 0}), 0);
+  EXPECT_NE(momentum_with({0, 0, 0}, {10, 3, 0}), 0);
+  EXPECT_DOUBLE_EQ(momentum_with({0.1, 0, 0}, {0.1, 0, 0}), 0.1) << "nothing differs";
+  Scene given = scene();
+  given.bodies[0].velocity = {10, 0, 0};
+  InitialVelocity last;
+  last.nodes.body = "upper";
+  last.velocity = {3, 0, 0};
+  last.components = {true, true, true};
+  given.initial_velocities = {last};
+  const Model<double> model = build_model<double>(given);
+  EXPECT_DOUBLE_EQ(model.nodes.velocity_of(model.node_of_scene_node[4])[0], 3) << "[[initial_velocity]] counts";
+}
+
 TEST_F(FileBodies, HaveTheMassOfBothAtTheSharedNodes) {
   const Model<double> model = build_model<double>(scene());
   EXPECT_DOUBLE_EQ(model.node_mass[model.node_of_scene_node[4]], 2 * model.node_mass[model.node_of_scene_node[0]]);
