@@ -26,6 +26,7 @@
 #include "elements/mass_scaling.hpp"
 #include "initial_overlap.hpp"
 #include "initial_velocities.hpp"
+#include "interfaces/tied_at_walls.hpp"
 #include "interfaces/ties.hpp"
 #include "material/material_laws.hpp"
 #include "model_parts.hpp"
@@ -265,6 +266,9 @@ Model<S> build_model(const Scene& given) {
     if (std::holds_alternative<ArrayMesh>(body.mesh)) body.mesh = ArrayMesh{};  // the host's arrays may go now
   }
   model.tied_nodes = find_ties(model.scene, model.mesh, model.tie_counts);
+  for (std::string& sentence : find_tied_at_walls(model.scene, model.mesh, model.tied_nodes)) {
+    model.mesh.warnings.push_back(std::move(sentence));
+  }
   model.look = look_at(model.scene, model.mesh);
   adjust_initial_overlaps(model.scene, model.tied_nodes, model.mesh);
   model.rigid_of_body = rigid_body_of_bodies(model.scene);

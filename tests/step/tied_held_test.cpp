@@ -61,6 +61,27 @@ TEST(TiedNodesThatAreHeld, InPartAreToldWhereTheirFacesAreFree) {
   EXPECT_EQ(of(scene).free, 16) << "while these move, one after the other";
 }
 
+/// A wall of tied nodes alone did nothing, without a word.
+TEST(TiedNodesAtRigidWalls, AreToldWhereTheirFacesAreNotTaken) {
+  Scene scene = glued(3, 2, 2e-4);
+  RigidWall wall;
+  wall.name = "floor";
+  wall.plane = Plane{{0, -0.1, 0}, {0, 1, 0}};
+  scene.rigid_walls = {wall};
+  const auto warnings = [&scene] { return Solver<double>(scene).mesh().warnings; };
+  EXPECT_THAT(warnings(), testing::IsEmpty()) << "of all nodes";
+  scene.rigid_walls[0].body = "low";
+  EXPECT_THAT(warnings(), testing::IsEmpty());
+  scene.rigid_walls[0].body = "high";
+  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("rigid wall floor: 16 of the nodes that it takes are tied to faces")));
+  scene.rigid_walls[0].nodes.box = Box{{-1, -1, 0.7}, {1, 1, 2}};
+  EXPECT_THAT(warnings(), testing::IsEmpty()) << "none of them is tied";
+  scene.rigid_walls[0].nodes.box.reset();
+  scene.tied_contacts[0].end = 1e-4;
+  scene.rigid_walls[0].when.start = 1e-4;
+  EXPECT_THAT(warnings(), testing::IsEmpty()) << "one after the other";
+}
+
 /// Of the symmetry of a whole model nothing is to be told.
 TEST(TiedNodesThatAreHeld, BySymmetryAreNotTold) {
   Scene scene = glued(3, 2, 2e-4);
