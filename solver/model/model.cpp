@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <tuple>
@@ -30,6 +31,7 @@
 #include "interfaces/ties.hpp"
 #include "material/material_laws.hpp"
 #include "model_parts.hpp"
+#include "moved_nodes.hpp"
 #include "ordering.hpp"
 #include "point_masses.hpp"
 #include "rigid/rigid_nodes.hpp"
@@ -219,6 +221,24 @@ void number_ties(Model<S>& model) {
             [](const TiedNode& a, const TiedNode& b) { return a.node < b.node; });
 }
 
+/// Nodes that are tied go to their faces, and what overlaps apart, where that is asked for.
+template <class S>
+void move_to_start(Model<S>& model) {
+  const auto tell = [&model](std::string sentence) {
+    if (!sentence.empty()) model.mesh.warnings.push_back(std::move(sentence));
+  };
+  std::optional<MovedNodes> moved;
+  if (model.scene.contact.overlap == ContactOverlap::adjust || !model.scene.tied_contacts.empty()) {
+    moved.emplace(model.mesh);
+  }
+  model.tied_nodes = find_ties(model.scene, model.mesh, model.tie_counts);
+  if (moved) tell(moved->take(model.mesh, "contact.tied"));
+  for (std::string& sentence : find_tied_at_walls(model.scene, model.mesh, model.tied_nodes)) tell(std::move(sentence));
+  model.look = look_at(model.scene, model.mesh);
+  adjust_initial_overlaps(model.scene, model.tied_nodes, model.mesh);
+  if (moved) tell(moved->take(model.mesh, "contact.overlap = \"adjust\""));
+}
+
 }  // namespace
 
 std::vector<std::size_t> material_of_bodies(const Scene& scene) {
@@ -265,12 +285,7 @@ Model<S> build_model(const Scene& given) {
   for (Body& body : model.scene.bodies) {
     if (std::holds_alternative<ArrayMesh>(body.mesh)) body.mesh = ArrayMesh{};  // the host's arrays may go now
   }
-  model.tied_nodes = find_ties(model.scene, model.mesh, model.tie_counts);
-  for (std::string& sentence : find_tied_at_walls(model.scene, model.mesh, model.tied_nodes)) {
-    model.mesh.warnings.push_back(std::move(sentence));
-  }
-  model.look = look_at(model.scene, model.mesh);
-  adjust_initial_overlaps(model.scene, model.tied_nodes, model.mesh);
+  move_to_start(model);
   model.rigid_of_body = rigid_body_of_bodies(model.scene);
   model.rigid = find_rigid_nodes(model.scene, model.mesh, model.tied_nodes);
   set_given_masses(model.scene, model.mesh);
