@@ -2,6 +2,7 @@
 
 #include <solver/model/interfaces/body_depth.hpp>
 #include <solver/model/interfaces/overlapping_bodies.hpp>
+#include <solver/model/interfaces/piercing_edges.hpp>
 
 namespace pinball {
 
@@ -29,10 +30,12 @@ std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& of, const Bod
   return count;
 }
 
+/// Of both; without any, edges of one that go through the other.
 std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& a, const BodyParts& b, const Bounds& box,
                            double depth) {
-  return points_inside(mesh, a, BodyInside(mesh, b.elements, box), box, depth) +
-         points_inside(mesh, b, BodyInside(mesh, a.elements, box), box, depth);
+  const std::int64_t points = points_inside(mesh, a, BodyInside(mesh, b.elements, box), box, depth) +
+                              points_inside(mesh, b, BodyInside(mesh, a.elements, box), box, depth);
+  return points > 0 ? points : edges_through(mesh, a, b, box, depth);
 }
 
 }  // namespace

@@ -11,17 +11,19 @@ namespace pinball {
 /// Two bodies that share space.
 struct InitialOverlap {
   std::string first, second;  ///< names of the bodies; empty: no bodies do
-  std::int64_t points = 0;    ///< nodes, and nine points of each element, that lie inside an element of the other body
-  std::int64_t nodes = 0;     ///< of both that lie deeper in the other body than the facets of curved surfaces explain
-  std::int32_t node = -1;     ///< the deepest of them, in the order of the scene; negative: there is none
-  double depth = 0;           ///< its distance to the surface of the other body [length]
-  double share = 0;           ///< the same over the size of the face there [-]
+  /// Nodes, and nine points of each element, that lie inside an element of the other body; without any: edges of the
+  /// surface of one that go through the other.
+  std::int64_t points = 0;
+  std::int64_t nodes = 0;  ///< of both that lie deeper in the other body than the facets of curved surfaces explain
+  std::int32_t node = -1;  ///< the deepest of them, in the order of the scene; negative: there is none
+  double depth = 0;        ///< its distance to the surface of the other body [length]
+  double share = 0;        ///< the same over the size of the face there [-]
 };
 
 /// The first two bodies that overlap, by default more than rounding and curved surfaces of touching meshes do: a node
-/// or the centre of an element lies inside an element of the other body, at least `depth` deep over the size of that
-/// [-]. Contact cannot tell from which side such bodies came. pairs: of the scene; where there are any, only bodies
-/// that these let touch are looked at. Of nodes and depths nothing is said.
+/// or a point of an element lies inside an element of the other body, at least `depth` deep over the size of that
+/// [-], or an edge goes through the other body. Contact cannot tell from which side such bodies came. pairs: of the
+/// scene; where there are any, only bodies that these let touch are looked at. Of nodes and depths nothing is said.
 InitialOverlap find_initial_overlap(const ModelMesh& mesh, const std::vector<ContactPair>& pairs = {},
                                     double depth = 0.1);
 

@@ -32,7 +32,7 @@ void add_unconverged_contact(const IterationCounts& counts, std::vector<std::str
 std::string overlap_text(const OverlapResult& overlap) {
   std::string text = fmt::format("bodies {} and {} overlap at the start", overlap.first, overlap.second);
   if (overlap.nodes == 0) {
-    return text + fmt::format(", by {} of their elements, although no node of one lies in the other",
+    return text + fmt::format(", by {} or edges of their elements, although no node of one lies in the other",
                               counted(overlap.points, "point"));
   }
   return text + fmt::format(", by {} of their nodes, deepest at {}, which lies {:.4g} deep ({} of an element)",

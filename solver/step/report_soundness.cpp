@@ -106,8 +106,8 @@ void fill_soundness(const Solver<S>& solver, RunSummary& summary) {
   add_overlaps(solver, summary);
   const InitialOverlap& now = solver.overlap_at_end();
   if (now.points > 0) {
-    summary.overlap_at_end =
-        fmt::format("{} and {}, by {} of their nodes and points of elements", now.first, now.second, now.points);
+    summary.overlap_at_end = fmt::format("{} and {}, by {} of their nodes, and points or edges of elements", now.first,
+                                         now.second, now.points);
   }
   summary.mesh_warnings = solver.mesh().warnings;
   summary.unlikely = solver.look().unlikely;

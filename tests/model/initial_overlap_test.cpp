@@ -36,6 +36,34 @@ TEST(InitialOverlap, OfTheSamePlaceAndOfABodyInsideAnother) {
   EXPECT_GT(overlap({-4, -4, -4}, {1, 1, 1}, 10).points, 0);
 }
 
+/// One element each: no node, and none of the points of an element, lies in the other.
+Scene bar_through_plate(const std::array<int, 3>& of_plate, const Point& corner_of_bar) {
+  Body plate = block("plate", {1, 1, 1}, 1, {-5, -5, -0.25}), bar = block("bar", {1, 1, 1}, 1, corner_of_bar);
+  plate.mesh = BlockMesh{{10, 10, 0.5}, of_plate};
+  bar.mesh = BlockMesh{{1, 1, 10}, {1, 1, 1}};
+  return scene_of({plate, bar}, 1);
+}
+
+TEST(InitialOverlap, OfABarThroughAPlateWithoutANodeInside) {
+  const auto points = [](const std::array<int, 3>& of_plate, const Point& corner) {
+    const Scene scene = bar_through_plate(of_plate, corner);
+    const ModelMesh mesh = build_mesh(scene);
+    const std::vector<InitialOverlap> all = find_initial_overlaps(scene, mesh);
+    const std::int64_t found = find_initial_overlap(mesh).points;
+    EXPECT_EQ(all.empty() ? 0 : all[0].points, found);
+    return found;
+  };
+  EXPECT_EQ(points({1, 1, 1}, {0.5, 1.5, -5}), 4) << "its four long edges";
+  EXPECT_EQ(points({1, 1, 2}, {0.5, 1.5, -5}), 4) << "their middles lie on faces of elements";
+  EXPECT_GT(points({2, 2, 1}, {-0.3, 1.5, -5}), 0);
+  EXPECT_GT(points({1, 1, 1}, {4.5, 1.5, -5}), 0) << "over the rim";
+  EXPECT_EQ(points({1, 1, 1}, {5, 1.5, -5}), 0) << "along the rim";
+  EXPECT_EQ(points({1, 1, 1}, {4.998, 1.5, -5}), 0) << "along the rim, but for facets";
+  EXPECT_EQ(points({1, 1, 1}, {0.5, 1.5, 0.25}), 0) << "on the plate";
+  EXPECT_EQ(points({1, 1, 1}, {4, 1.5, 0.25}), 0) << "on the plate, flush with its rim";
+  EXPECT_EQ(points({1, 1, 1}, {4, 1.5, 0.24}), 0) << "the same, but for facets";
+}
+
 TEST(InitialOverlap, ScenesOfTheRepositoryHaveNone) {
   for (const char* name : {"rod_plate", "rod_oblique", "two_blocks", "two_bars", "sphere_sphere", "taylor_plate",
                            "newtons_cradle", "contact_patch", "sliding_block", "sphere_floor"}) {

@@ -144,7 +144,7 @@ TEST(Warnings, Overlaps) {
   s.overlaps[0].share = 0.29;
   EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("lets such nodes pass")));
   s.overlaps[0] = {"a", "b", 12, 0, "", 0, 0};
-  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("by 12 points of their elements")));
+  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("by 12 points or edges of their elements")));
   s.overlaps.assign(8, s.overlaps[0]);
   s.overlaps[7] = {"c", "d", 0, 1, "node 3 of body c", 0.1, 0.2};
   EXPECT_THAT(warnings(s), testing::SizeIs(6));

@@ -71,6 +71,12 @@ bool BodyInside::holds(const Point& x, double depth) const {
   });
 }
 
+double BodyInside::depth_at(const Point& x) const {
+  double deepest = 0;
+  for (const std::size_t i : grid_.at(x)) deepest = std::max(deepest, depth_in(mesh_, elements_[i], x));
+  return deepest;
+}
+
 BodySurface::BodySurface(const ModelMesh& mesh, const std::vector<std::size_t>& elements,
                          const std::vector<std::uint8_t>& exposed)
     : mesh_(mesh) {

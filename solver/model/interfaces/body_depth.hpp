@@ -31,6 +31,8 @@ class BodyInside {
 
   /// Whether some element of the body holds a point of the box, by more than `depth` of the size of the element [-].
   bool holds(const Point& x, double depth) const;
+  /// How deep a point of the box lies in an element of the body; 0: in none [length].
+  double depth_at(const Point& x) const;
 
  private:
   const ModelMesh& mesh_;
