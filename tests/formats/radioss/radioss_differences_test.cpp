@@ -69,6 +69,22 @@ TEST_F(RadiossDifferences, CurvesOfRatesAreInterpolatedAsTheirFlagSays) {
   EXPECT_EQ(tabulated("2").rate_interpolation, RateInterpolation::logarithmic);
 }
 
+/// As behind their last point (VINTER2 of the engine).
+TEST_F(RadiossDifferences, YieldStressesGoOnAlongTheirFirstPieceDownToZeroStrain) {
+  const auto curve = [&](const std::string& points) {
+    return scene(radioss_begin + radioss_property + radioss_cube + "/FUNCT/5\nf\n" + points + "/MAT/PLAS_TAB/1\nm\n" +
+                 twenty({7.85e-9, 0}) + twenty({210000, 0.3}) + ten({"1", "0"}) + "\n" + ten({"5"}) + twenty({2}) +
+                 twenty({0}))
+        .materials.at(0)
+        .yield_curves.at(0);
+  };
+  const YieldCurve steep = curve(twenty({0.125, 200}) + twenty({0.25, 300}));
+  EXPECT_THAT(steep.plastic_strain, ElementsAre(0, 0.125, 0.25));
+  EXPECT_THAT(steep.stress, ElementsAre(200, 400, 600));
+  EXPECT_THAT(curve(twenty({0.125, 200})).stress, ElementsAre(400, 400)) << "one point";
+  EXPECT_THAT(curve(twenty({0, 200}) + twenty({0.25, 300})).stress, ElementsAre(400, 600));
+}
+
 TEST_F(RadiossDifferences, AnIncludedFileThatEndsEndsNothingElse) {
   std::ofstream((folder_ / "steel.inc").string()) << radioss_steel << "/END\n";
   const std::string text = radioss_begin + "#include steel.inc\n" + radioss_property + radioss_cube;

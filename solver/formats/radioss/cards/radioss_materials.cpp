@@ -275,9 +275,11 @@ GivenValue tabulated_curve(const RadiossData& data, std::int64_t function, doubl
                            const DeckPlace& place) {
   auto [strain, stress] = data.function(function, place);
   if (strain.front() < 0) fail_at(place, fmt::format("/FUNCT {}: expected no plastic strain below 0", function));
-  if (strain.front() > 0) {  // a curve begins at zero strain with its first stress
+  if (strain.front() > 0) {  // along its first piece, as in the engine (VINTER2)
+    const bool is_piece = strain.size() > 1 && strain[1] > strain[0];
+    const double slope = is_piece ? (stress[1] - stress[0]) / (strain[1] - strain[0]) : 0.0;
+    stress.insert(stress.begin(), stress[0] - slope * strain[0]);
     strain.insert(strain.begin(), 0.0);
-    stress.insert(stress.begin(), stress.front());
   }
   for (double& value : stress) value *= scale == 0 ? 1.0 : scale;
   InnerKeys<YieldCurve> keys;
