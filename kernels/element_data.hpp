@@ -86,7 +86,7 @@ struct ElementConstants {
   S folding_energy = S(0);    ///< M/(8 density) of corners that are about to turn over [energy/mass]
   bool never_yields = false;  ///< elastic, also where the kernel is one of plasticity (with erosion)
   // General yield only:
-  bool averaged_volumes = false;  ///< of tetrahedra and collapsed hexahedra: over nodes (element/averaged_step.hpp)
+  bool averaged_volumes = false;  ///< of tetrahedra and wedges: over nodes (element/averaged_step.hpp)
   HardeningConstants<S> hardening{};
   JohnsonCookConstants<S> johnson_cook{};  ///< in the place of `hardening`, where used
   JohnsonHolmquistConstants<S> brittle{};  ///< in the place of `hardening` and of the linear pressure, where used

@@ -60,7 +60,7 @@ PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const LawStep<T, features> law(own, constants, end, middle, motion, dt);
   const T density = own.mass * middle.inverse_end_volume;
   ViscousStep<T> viscosity(viscous, constants.viscosity, constants.material, density, end.length, law.motion.gradient);
-  const StabilityBound<T> bound = stability_bound(own, end, middle.inverse_end_volume, viscosity.coefficient());
+  const StabilityBound<T> bound = stability_bound(own, law.shape, middle.inverse_end_volume, viscosity.coefficient());
   T stable_rate(0);
   if constexpr (features.plastic) stable_rate = bound.rate(T(constants.material.lambda), T(constants.material.mu));
   const auto& limit = law.bound(bound, middle);

@@ -3,22 +3,24 @@
 #include "element_data.hpp"
 #include "hexahedron.hpp"
 #include "tetrahedron.hpp"
+#include "wedge.hpp"
 
-/// Volumes of tetrahedra and collapsed hexahedra averaged over nodes (element/averaged_step.hpp), in three loops: over
+/// Volumes of tetrahedra and wedges averaged over nodes (element/averaged_step.hpp), in three loops: over
 /// the elements, over the nodes, and over the elements once more. Around a node those of each material are averaged
 /// apart. Functors of pointers alone, for the memory of any execution space; L: elements in a row of the arrays.
 namespace pinball {
 
 template <class S>
 struct NodalVolumeView {
-  const std::int64_t* place;    ///< per element that takes part: where it is among all elements
-  const std::int32_t* corners;  ///< [elements + 1]: where those of each begin in `group`: 4 of a tetrahedron, else 8
-  const std::int32_t* group;    ///< of each of these corners: its node, with the material
-  const S* undeformed;          ///< per element [length^3]
-  S* volume;                    ///< per element: of four of its corners; eroded: 0 [length^3]
-  const std::int32_t* first;    ///< [groups + 1]: where the elements of each begin in `around`
-  const std::int32_t* around;   ///< elements, ascending by their places, as often as they have corners there
-  S* ratio;                     ///< per group: J_a [-]
+  const std::int64_t* place;  ///< per element that takes part: where it is among all elements
+  const std::int32_t*
+      corners;  ///< [elements + 1]: where those of each begin in `group`: 4 of a tetrahedron, 6 of a wedge
+  const std::int32_t* group;   ///< of each of these corners: its node, with the material
+  const S* undeformed;         ///< per element [length^3]
+  S* volume;                   ///< per element: of four of its nodes; eroded: 0 [length^3]
+  const std::int32_t* first;   ///< [groups + 1]: where the elements of each begin in `around`
+  const std::int32_t* around;  ///< elements, ascending by their places, as often as they have corners there
+  S* ratio;                    ///< per group: J_a [-]
 
   PINBALL_FUNCTION bool is_tetrahedron(std::int64_t t) const { return corners[t + 1] - corners[t] == 4; }
 };
@@ -47,7 +49,7 @@ struct FindsVolumes {
       const Vec3<S> a = node(own, 0);
       for (int i = 1; i < 8; ++i) x[i] = node(own, i) - a;
       const HexahedronModes<S> modes = to_modes(x);
-      of.volume[t] = S(0.5) * hexahedron_volume(uniform_gradient(modes), modes);
+      of.volume[t] = S(2.0 / 3.0) * hexahedron_volume(uniform_gradient(modes), modes);
     }
   }
 
@@ -75,7 +77,7 @@ struct AveragesVolumes {
   }
 };
 
-/// J, the mean of J_a over the corners; that of the step before is kept.
+/// J, the mean of J_a over the nodes; that of the step before is kept.
 template <class E, class S, int L>
 struct TakesAveragedVolumes {
   NodalVolumeView<S> of;
@@ -85,14 +87,16 @@ struct TakesAveragedVolumes {
     E* const own = ratio + place_in_rows<L>(of.place[t], 2);
     const std::int32_t* const g = of.group + of.corners[t];
     own[L] = own[0];
-    S mean = of_four(g);
-    if (!of.is_tetrahedron(t)) mean = S(0.5) * (mean + of_four(g + 4));
-    own[0] = static_cast<E>(mean);
+    own[0] = static_cast<E>(of.is_tetrahedron(t) ? of_four(g) : of_six(g));
   }
 
  private:
   PINBALL_FUNCTION S of_four(const std::int32_t* g) const {
     return S(0.25) * ((of.ratio[g[0]] + of.ratio[g[1]]) + (of.ratio[g[2]] + of.ratio[g[3]]));
+  }
+  PINBALL_FUNCTION S of_six(const std::int32_t* g) const {
+    return S(1.0 / 6.0) * (((of.ratio[g[0]] + of.ratio[g[1]]) + of.ratio[g[2]]) +
+                           ((of.ratio[g[3]] + of.ratio[g[4]]) + of.ratio[g[5]]));
   }
 };
 

@@ -1,20 +1,20 @@
 #pragma once
 
+#include "../wedge.hpp"
 #include "element_pack.hpp"
 #include "stability.hpp"
 #include "step_geometry.hpp"
 #include "step_motion.hpp"
 
 /// What the laws of materials see of a step: the strain and the volumes of a pack's elements or, for tetrahedra and
-/// collapsed hexahedra, with volumes that are averaged over nodes (Bonet and Burton, Commun. Numer. Meth. Engng 14,
-/// 437-449, 1998).
+/// wedges, with volumes that are averaged over nodes (Bonet and Burton, Commun. Numer. Meth. Engng 14, 437-449, 1998).
 ///
 /// A mesh of linear tetrahedra has far more elements than nodes, one of wedges twice as many. Were each to keep its
 /// volume, as what flows has to, the nodes could hardly move: it would lock. So the volumes are kept of nodes. With V
-/// the undeformed volumes, v the present ones, and sums over the corners at a node a, each with an equal share of its
-/// element,
+/// the undeformed volumes, v the present ones, and sums over the elements at a node a, each with an equal share for
+/// each of its nodes,
 ///
-///     J_a = sum v / sum V ,     J = mean of J_a over the corners of an element ,
+///     J_a = sum v / sum V ,     J = mean of J_a over the nodes of an element ,
 ///
 /// and an element's strain is its own but for its volume, which is that of J. Its forces are those of the stress that
 /// follows, over its own shape: with a linear bulk modulus they are the gradient of sum_a K/2 (J_a - 1)^2 sum V, and no
@@ -27,14 +27,15 @@ namespace pinball {
 template <class T, ElementFeatures features, bool may_average = features.yield == YieldLaw::general>
 struct LawStep {
   template <int L>
-  PINBALL_FUNCTION LawStep(const ElementPack<T, L>&, const ElementConstants<ScalarOf<T>>&, const EndSize<T>&,
+  PINBALL_FUNCTION LawStep(const ElementPack<T, L>&, const ElementConstants<ScalarOf<T>>&, const EndSize<T>& own_end,
                            const MiddleSize<T>& own_middle, const StepMotion<T, features>& own_motion, ScalarOf<T>)
-      : middle(own_middle), motion(own_motion) {}
+      : shape(own_end), middle(own_middle), motion(own_motion) {}
 
   PINBALL_FUNCTION const StabilityBound<T>& bound(const StabilityBound<T>& own, const MiddleSize<T>&) const {
     return own;
   }
 
+  const EndSize<T>& shape;
   const MiddleSize<T>& middle;
   const StepMotion<T, features>& motion;
 };
@@ -42,14 +43,15 @@ struct LawStep {
 template <class T, ElementFeatures features>
 struct LawStep<T, features, true> {
   /// own: whose arrays have the ratios J; dt: [time].
-  template <int L>
+  template <int L, class End>
   PINBALL_FUNCTION LawStep(const ElementPack<T, L>& own, const ElementConstants<ScalarOf<T>>& constants,
-                           const EndSize<T>& own_end, const MiddleSize<T>& own_middle,
+                           const End& own_end, const MiddleSize<T>& own_middle,
                            const StepMotion<T, features>& own_motion, ScalarOf<T> dt)
-      : end(own_end), middle(own_middle), motion(own_motion) {
+      : shape(own_end), end(own_end), middle(own_middle), motion(own_motion) {
     if constexpr (features.tetrahedra) {
       average(own, constants.specific_volume, dt);
     } else if (constants.averaged_volumes) [[unlikely]] {
+      weigh_nodes(wedge_gradient_square(own_end.b, own_end.square));
       average(own, constants.specific_volume, dt);
     }
   }
@@ -59,11 +61,17 @@ struct LawStep<T, features, true> {
     return {end, own_middle.inverse_end_volume * middle.inverse_end_volume, own.inverse_inertia, own.viscosity};
   }
 
-  EndSize<T> end;
+  EndSize<T> shape;  ///< of the elements themselves, for the stable step; of wedges by the masses of their nodes
+  EndSize<T> end;    ///< with the averaged volume
   MiddleSize<T> middle;
   StepMotion<T, features> motion;
 
  private:
+  /// square: of wedge_gradient_square.
+  PINBALL_FUNCTION void weigh_nodes(const Symmetric<T>& square) {
+    end.trace_square = shape.trace_square = trace(square);
+    end.largest_square = shape.largest_square = largest_principal_value(square);
+  }
   /// specific_volume: of the undeformed material [length^3/mass].
   template <int L>
   PINBALL_FUNCTION void average(const ElementPack<T, L>& own, ScalarOf<T> specific_volume, ScalarOf<T> dt) {

@@ -36,7 +36,7 @@ inline double least_corner_share(const std::array<Point, 8>& corners) {
 /// What the bound on the stable step of an element is made of (kernels/stable_time_step.hpp).
 struct SizeOfElement {
   double volume;             ///< [length^3]
-  Symmetric<double> square;  ///< of the mean gradient, over eight corners [length^4]
+  Symmetric<double> square;  ///< of the mean gradient, as of eight corners with an eighth of the mass each [length^4]
   double face_area;          ///< of a cube [length^2]
 };
 

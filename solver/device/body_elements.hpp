@@ -1,5 +1,6 @@
 #pragma once
 
+#include <solver/model/elements/element_parts.hpp>
 #include <solver/model/model.hpp>
 
 #include "body_sums.hpp"
@@ -22,7 +23,10 @@ BodyElements body_elements(const Model<S>& model, const PlaceOf& place_of) {
         elements.body.push_back(static_cast<std::int32_t>(body));
       }
       elements.place.push_back(static_cast<std::int32_t>(place_of(slots[body][i])));
-      elements.mass.push_back(model.element_mass[model.element_of_slot[slots[body][i]]]);
+      const std::int32_t element = model.element_of_slot[slots[body][i]];
+      elements.mass.push_back(model.element_mass[element]);
+      const WorkedShape shape = worked_shape(model.scene, model.mesh, element);
+      elements.nodes.push_back(shape == WorkedShape::wedge ? 6 : 8);
     }
   }
   elements.first.push_back(static_cast<std::int32_t>(elements.place.size()));

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include <kernels/element_data.hpp>
+#include <kernels/wedge.hpp>
 #include <solver/boundary/space/loops.hpp>
 
 /// Sums over the elements of each body, for output, where the arrays of the elements lie.
 namespace pinball {
 
-/// Over elements; the momentum is that of an eighth of each at each of its corners.
+/// Over elements; the momentum is that of the shares of each at its corners: of six nodes, which wedges have, or of
+/// eight.
 struct BodySum {
   double mass = 0;            ///< of living ones [mass]
   double momentum[3] = {};    ///< of living ones [mass length/time]
@@ -32,6 +34,7 @@ struct BodyElements {
 
   std::vector<std::int32_t> place;  ///< in the arrays of elements
   std::vector<double> mass;         ///< initial, of each [mass]
+  std::vector<std::int32_t> nodes;  ///< of each that have equal shares of it: 6 of wedges, else 8 corners
   std::vector<std::int32_t> first;  ///< per piece and one more: its part of both
   std::vector<std::int32_t> body;   ///< per piece
   std::size_t bodies = 0;
@@ -50,7 +53,7 @@ struct BodyArrays {
 template <class S, class E, int L>
 struct SumsBody {
   BodyArrays<S, E> arrays;
-  const std::int32_t *place, *first;
+  const std::int32_t *place, *first, *nodes;
   const double* mass;
   BodySum* sums;  ///< per piece
 
@@ -63,7 +66,7 @@ struct SumsBody {
         continue;
       }
       sum.mass += mass[i];
-      add_momentum(element, mass[i] / 8, sum.momentum);
+      add_momentum(element, nodes[i], mass[i] / nodes[i], sum.momentum);
       if (arrays.plastic_strain == nullptr) continue;
       const double strain = static_cast<double>(arrays.plastic_strain[element]);
       if (strain > sum.plastic_strain) sum.plastic_strain = strain;
@@ -72,10 +75,12 @@ struct SumsBody {
   }
 
  private:
-  PINBALL_FUNCTION void add_momentum(std::int64_t element, double mass_of_corner, double* momentum) const {
+  PINBALL_FUNCTION void add_momentum(std::int64_t element, std::int32_t count, double mass_of_corner,
+                                     double* momentum) const {
     double velocity[3] = {0, 0, 0};
     const std::int32_t* const corners = arrays.corner + place_in_rows<L>(element, 8);
-    for (int c = 0; c < 8; ++c) {
+    for (int i = 0; i < count; ++i) {
+      const int c = count == 6 ? wedge_corner(i) : i;
       const S* const v = arrays.velocity + 4 * static_cast<std::int64_t>(corners[c * L]);
       for (int k = 0; k < 3; ++k) velocity[k] += static_cast<double>(v[k]);
     }
@@ -91,6 +96,7 @@ class SpaceBodySums {
   explicit SpaceBodySums(const BodyElements& elements)
       : place_(list_in<Space>(elements.place)),
         first_(list_in<Space>(elements.first)),
+        nodes_(list_in<Space>(elements.nodes)),
         mass_(list_in<Space>(elements.mass)),
         body_(elements.body),
         bodies_(elements.bodies) {
@@ -100,16 +106,16 @@ class SpaceBodySums {
   /// Per body.
   std::vector<BodySum> of(const BodyArrays<S, E>& arrays) {
     parallel_for("sums of bodies", RangePolicy<Space>{0, std::ssize(body_)},
-                 SumsBody<S, E, L>{arrays, place_.data(), first_.data(), mass_.data(), sums_.data()});
+                 SumsBody<S, E, L>{arrays, place_.data(), first_.data(), nodes_.data(), mass_.data(), sums_.data()});
     std::vector<BodySum> of_piece(body_.size()), of_body(bodies_);
     deep_copy(of_piece.data(), sums_);
     for (std::size_t p = 0; p < of_piece.size(); ++p) of_body[body_[p]].join(of_piece[p]);
     return of_body;
   }
-  std::size_t bytes() const { return place_.bytes() + first_.bytes() + mass_.bytes() + sums_.bytes(); }
+  std::size_t bytes() const { return place_.bytes() + first_.bytes() + nodes_.bytes() + mass_.bytes() + sums_.bytes(); }
 
  private:
-  Array<std::int32_t, Memory> place_, first_;
+  Array<std::int32_t, Memory> place_, first_, nodes_;
   Array<double, Memory> mass_;
   Array<BodySum, Memory> sums_;
   std::vector<std::int32_t> body_;

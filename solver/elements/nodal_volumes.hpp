@@ -10,7 +10,7 @@
 
 namespace pinball {
 
-/// Volumes of tetrahedra and collapsed hexahedra averaged over their nodes (kernels/element/averaged_step.hpp), before
+/// Volumes of tetrahedra and wedges averaged over their nodes (kernels/element/averaged_step.hpp), before
 /// the elements of a step are worked. Around each node those of one material are averaged. Eroded elements do not
 /// count. Sums have one order, that of the elements: the same bits for any number of threads and of ranks, which tell
 /// each other the volumes of elements around nodes that they share.

@@ -13,8 +13,8 @@ namespace {
 struct AveragedElement {
   std::int64_t slot;
   std::int32_t tile;
-  std::int32_t corners;  ///< 4 of a tetrahedron, else 8
-  std::array<std::int32_t, 8> groups{};
+  std::int32_t corners;  ///< 4 of a tetrahedron, 6 of a wedge
+  std::array<std::int32_t, 6> groups{};
 
   std::span<const std::int32_t> own_groups() const { return {groups.data(), static_cast<std::size_t>(corners)}; }
 };
@@ -33,9 +33,9 @@ struct AveragedElements {
       for (const std::int64_t slot : model.slots_of(tile)) {
         if (model.is_padding(slot)) continue;
         const std::array<std::int32_t, 8> corners = model.elements.corners(slot);
-        AveragedElement& one = all.emplace_back(AveragedElement{slot, tile, tetrahedra ? 4 : 8});
+        AveragedElement& one = all.emplace_back(AveragedElement{slot, tile, tetrahedra ? 4 : 6});
         for (int i = 0; i < one.corners; ++i) {
-          const std::int32_t node = corners[tetrahedra ? tetrahedron_corner(i) : i];
+          const std::int32_t node = corners[tetrahedra ? tetrahedron_corner(i) : wedge_corner(i)];
           const std::pair key(model.parts[part].material, alone ? -static_cast<std::int32_t>(all.size()) : node);
           one.groups[i] = numbers.try_emplace(key, static_cast<std::int32_t>(numbers.size())).first->second;
         }

@@ -9,6 +9,7 @@
 #include <kernels/tetrahedron.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
 
+#include "shapes/wedges.hpp"
 #include "words.hpp"
 
 /// Numbers and names of the formats: "MSH file format" in the reference manual of Gmsh; vtkCellType.h; L. A. Schoof,
@@ -159,14 +160,7 @@ std::size_t different_nodes(const Corners8& corners) {
 
 WorkedShape worked_as(const Corners8& corners) {
   if (is_tetrahedron(corners)) return WorkedShape::tetrahedron;
-  static const auto worked_by_nodes = [] {
-    std::array<WorkedShape, 9> worked{};
-    for (const KnownShape& shape : shapes) {
-      if (shape.shape != SolidShape::tetrahedron) worked[different_nodes(shape.stored)] = shape.worked;
-    }
-    return worked;
-  }();
-  return worked_by_nodes[different_nodes(corners)];
+  return as_wedge(corners) ? WorkedShape::wedge : WorkedShape::hexahedron;
 }
 
 SolidShape shape_of(const Corners8& c) {
@@ -202,8 +196,10 @@ std::string names_of_types(int ElementType::*format) {
   return alternatives_of(names);
 }
 
-SizeOfElement element_size(const Corners8& corners, const std::array<Point, 8>& at) {
-  return element_size(at, known_shape(shape_of(corners)).worked == WorkedShape::tetrahedron);
+SizeOfElement element_size(WorkedShape shape, const std::array<Point, 8>& corners) {
+  SizeOfElement size = element_size(corners, shape == WorkedShape::tetrahedron);
+  if (shape == WorkedShape::wedge) size.square = square_of_wedge(corners);
+  return size;
 }
 
 }  // namespace pinball

@@ -42,7 +42,7 @@ enum class SolidShape : std::uint8_t { hexahedron, wedge, pyramid, tetrahedron }
 /// What decides how an element is worked.
 enum class WorkedShape : std::uint8_t {
   hexahedron,  ///< with a volume of its own
-  wedge,       ///< a hexahedron with a volume averaged over nodes
+  wedge,       ///< a hexahedron with nodes that are all alike, and a volume averaged over them
   tetrahedron  ///< with a volume averaged over nodes
 };
 
@@ -91,7 +91,6 @@ Corners8 stored_corners(const ElementType& type, std::span<const std::int32_t> n
 
 /// How many of eight corners are different nodes.
 std::size_t different_nodes(const Corners8& corners);
-
 /// How an element that deforms is worked, by its shape, also where it is collapsed in another way than that is stored.
 WorkedShape worked_as(const Corners8& corners);
 
@@ -106,8 +105,7 @@ std::string names_of_shapes();
 /// The same with the numbers of their types: "hexahedra (12, 11), wedges (13), ..."
 std::string names_of_types(int ElementType::*format);
 
-/// What the bound on the stable step of an element is made of. corners: where it is stored; at: where they are
-/// [length].
-SizeOfElement element_size(const Corners8& corners, const std::array<Point, 8>& at);
+/// What the bound on the stable step of an element is made of. corners: where they are [length].
+SizeOfElement element_size(WorkedShape shape, const std::array<Point, 8>& corners);
 
 }  // namespace pinball

@@ -3,11 +3,24 @@
 #include <random>
 #include <unordered_map>
 
+#include <solver/model/elements/element_parts.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
 namespace pinball {
 
 namespace {
+
+/// Of the masses of an element at its corners.
+template <class S>
+Point centre_of_nodes(const Model<S>& model, std::size_t element) {
+  const CornerShares share = corner_shares(model.scene, model.mesh, element);
+  Point centre{};
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Point& corner = model.mesh.corner(element, i);
+    for (std::size_t k = 0; k < 3; ++k) centre[k] += share[i] * corner[k];
+  }
+  return centre;
+}
 
 template <class S>
 std::vector<Point> centroids_of_bodies(const Model<S>& model) {
@@ -15,7 +28,7 @@ std::vector<Point> centroids_of_bodies(const Model<S>& model) {
   std::vector<double> mass(centroid.size(), 0.0);
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
     const std::int32_t b = model.mesh.body[e];
-    const Point c = element_centre(model.mesh, e);
+    const Point c = centre_of_nodes(model, e);
     for (std::size_t k = 0; k < 3; ++k) centroid[b][k] += model.element_mass[e] * c[k];
     mass[b] += model.element_mass[e];
   }
@@ -54,7 +67,10 @@ std::unordered_map<std::int32_t, Point> velocities_between_bodies(const Model<S>
   }
   for (std::size_t e = 0; e < model.mesh.hexahedra.size() && !at.empty(); ++e) {
     const std::int32_t b = model.mesh.body[e];
-    for (const std::int32_t n : model.mesh.hexahedra[e]) {
+    const CornerShares share = corner_shares(model.scene, model.mesh, e);
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::int32_t n = model.mesh.hexahedra[e][i];
+      const double mass = share[i] * model.element_mass[e];
       const auto found = at.find(n);
       if (found == at.end()) continue;
       MeetingVelocities& node = found->second;
@@ -62,8 +78,8 @@ std::unordered_map<std::int32_t, Point> velocities_between_bodies(const Model<S>
       if (node.mass == 0) node.first = v;
       node.differ = node.differ || v != node.first;
       node.rigid = node.rigid || model.rigid_of_body[b] >= 0;
-      node.mass += model.element_mass[e];
-      for (std::size_t k = 0; k < 3; ++k) node.momentum[k] += model.element_mass[e] * v[k];
+      node.mass += mass;
+      for (std::size_t k = 0; k < 3; ++k) node.momentum[k] += mass * v[k];
     }
   }
   std::unordered_map<std::int32_t, Point> velocities;

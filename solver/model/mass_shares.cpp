@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "elements/element_parts.hpp"
+
 namespace pinball {
 
 namespace {
@@ -20,17 +22,19 @@ std::vector<MassShares> mass_shares(const Model<S>& model, const std::vector<std
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
     const std::int32_t group = group_of_body[model.mesh.body[e]];
     if (group >= 0) members[group].push_back(e);
-    for (const std::int32_t corner : model.mesh.hexahedra[e])
-      of_all[node_at(model.node_of_scene_node, corner)] += model.element_mass[e];
+    const CornerShares share = corner_shares(model.scene, model.mesh, e);
+    for (std::size_t i = 0; i < 8; ++i)
+      of_all[node_at(model.node_of_scene_node, model.mesh.hexahedra[e][i])] += model.element_mass[e] * share[i];
   }
   std::vector<MassShares> all(groups);
   for (std::size_t g = 0; g < groups; ++g) {
     std::vector<std::int32_t>& nodes = all[g].nodes;
     for (const std::size_t e : members[g]) {
-      for (const std::int32_t corner : model.mesh.hexahedra[e]) {
-        const std::size_t node = node_at(model.node_of_scene_node, corner);
+      const CornerShares share = corner_shares(model.scene, model.mesh, e);
+      for (std::size_t i = 0; i < 8; ++i) {
+        const std::size_t node = node_at(model.node_of_scene_node, model.mesh.hexahedra[e][i]);
         if (!(theirs[node] > 0)) nodes.push_back(node);
-        theirs[node] += model.element_mass[e];
+        theirs[node] += model.element_mass[e] * share[i];
       }
     }
     std::sort(nodes.begin(), nodes.end());

@@ -152,8 +152,8 @@ void fill_nodes(Model<S>& model) {
   }
 }
 
-/// Corners and masses of the elements, and the masses of the nodes: an eighth of each of their elements. mass_factor:
-/// of what a material gives, per element; empty: 1. onset: as of folding_onsets().
+/// Corners and masses of the elements, and the masses of the nodes: their shares of their elements. mass_factor: of
+/// what a material gives, per element; empty: 1. onset: as of folding_onsets().
 template <class S>
 void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const std::vector<double>& mass_factor,
                    const std::vector<double>& onset) {
@@ -170,10 +170,12 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const 
     model.element_mass[element] = density_of_body[model.mesh.body[element]] * element_volume(model.mesh, element);
   });
   std::int32_t e = 0;
+  CornerShares share{};
   for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
     const bool padding = model.is_padding(slot);
     if (!padding) {
       e = model.element_of_slot[slot];
+      share = corner_shares(model.scene, model.mesh, e);
       model.elements.mass[slot] = model.element_mass[e];
       if (!mass_factor.empty()) {
         model.added_mass[e] = (mass_factor[e] - 1) * model.element_mass[e];
@@ -189,8 +191,8 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const 
       const std::int32_t node = model.node_of_scene_node[model.mesh.hexahedra[e][i]];
       model.elements.corner[model.elements.at(slot, i, 8)] = node;
       if (padding) continue;
-      model.node_mass[node] += model.element_mass[e] / 8;
-      if (!model.added_mass.empty()) model.added_node_mass[node] += model.added_mass[e] / 8;
+      model.node_mass[node] += model.element_mass[e] * share[i];
+      if (!model.added_mass.empty()) model.added_node_mass[node] += model.added_mass[e] * share[i];
     }
   }
 }

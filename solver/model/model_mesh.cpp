@@ -13,6 +13,7 @@
 #include <solver/mesh/array_mesh.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
+#include <solver/mesh/shapes/wedges.hpp>
 #include <solver/mesh/tetrahedra.hpp>
 #include <solver/model/checks/file_checks.hpp>
 #include <solver/model/interfaces/contact_sides.hpp>
@@ -134,16 +135,23 @@ class Assembly {
     const std::int32_t offset = add_nodes(mesh.nodes.size(), b);
     all_.nodes.insert(all_.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
     const std::int64_t first = all_.element_count(), count = std::ssize(mesh.hexahedra);
+    const bool given = std::holds_alternative<ArrayMesh>(scene_.bodies[b].mesh);
     all_.body.insert(all_.body.end(), count, static_cast<std::int32_t>(b));
     all_.hexahedra.resize(first + count);
     const auto problem = [&](std::int64_t e) { return rounding_problem(all_.corners(e), scene_.precision); };
     parallel_for("elements of a body", RangePolicy<>{0, count}, [&](std::int64_t e) {
       std::array<std::int32_t, 8>& hexahedron = all_.hexahedra[first + e];
       for (std::size_t i = 0; i < 8; ++i) hexahedron[i] = mesh.hexahedra[e][i] + offset;
+      if (given) turn(hexahedron);
     });
     const std::int64_t bad =
         first_where("rounding of volumes", count, [&](std::int64_t e) { return !problem(first + e).empty(); });
     if (bad < count) require_none(problem(first + bad), b, [&] { return fmt::format("element {}", first + bad); });
+  }
+
+  /// Of a file or a host: the order in which nodes of a wedge are listed does not count.
+  void turn(Corners8& corners) const {
+    if (const auto wedge = as_wedge(corners)) corners = turned_wedge(*wedge, all_.nodes);
   }
 
   /// In the body's own frame, where no place far away hides what the shape is.
@@ -238,6 +246,7 @@ class Assembly {
       require_none(volume_problem(all_.corners_of(hexahedron), scene_.precision), b,
                    [&] { return element_name(file, e); });
       placed.element[e] = all_.element_count();
+      turn(hexahedron);
       add_element(hexahedron, b, [&] { return element_name(file, e); });
     }
   }

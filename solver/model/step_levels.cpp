@@ -123,8 +123,8 @@ std::vector<int> choose_levels(const std::vector<StepGroup>& groups, double ever
   return best;
 }
 
-double element_stable_step(const ModelMesh& mesh, std::size_t element, const Material& material) {
-  const auto [volume, b_b, area] = element_size(mesh.hexahedra[element], mesh.corners(element));
+double element_stable_step(const Scene& scene, const ModelMesh& mesh, std::size_t element, const Material& material) {
+  const auto [volume, b_b, area] = element_size(worked_shape(scene, mesh, element), mesh.corners(element));
   const double inverse_square = 1 / (volume * volume);
   const double lambda = material.bulk_modulus - 2.0 / 3.0 * material.shear_modulus;
   const double rate = element_stable_rate(inverse_square * largest_principal_value(b_b), inverse_square * trace(b_b),
@@ -138,7 +138,7 @@ ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh, con
   for (const std::size_t material : material_of_bodies(scene)) of_body.push_back(&scene.materials[material]);
   std::vector<double> stable_steps(count);
   for (std::size_t e = 0; e < count; ++e) {
-    stable_steps[e] = element_stable_step(mesh, e, *of_body[mesh.body[e]]);
+    stable_steps[e] = element_stable_step(scene, mesh, e, *of_body[mesh.body[e]]);
     if (!mass_factor.empty()) stable_steps[e] *= std::sqrt(mass_factor[e]);
   }
   const std::vector<int> highest = highest_levels(scene, mesh);

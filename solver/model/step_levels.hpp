@@ -51,6 +51,6 @@ ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh,
                                   const std::vector<double>& mass_factor = {});
 
 /// Smallest of the stable steps of an element without viscosity, as the kernel finds it [time].
-double element_stable_step(const ModelMesh& mesh, std::size_t element, const Material& material);
+double element_stable_step(const Scene& scene, const ModelMesh& mesh, std::size_t element, const Material& material);
 
 }  // namespace pinball

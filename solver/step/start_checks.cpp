@@ -39,7 +39,7 @@ class StartElements {
   }
   double mass_factor(std::int64_t e) const { return mass_factor_.empty() ? 1.0 : mass_factor_[e]; }
   ElementStart start(std::int64_t e) const {
-    return element_start(mesh_, e, scene_.materials[part(e).material], settings(e));
+    return element_start(mesh_, e, scene_.materials[part(e).material], part(e));
   }
   double stable_step(std::int64_t e) const { return start(e).stable_step(mass_factor(e)); }
   /// The viscosity eta = rho b2^2 L^2 |rate| (bulk_viscosity.hpp) with the rate of a speed over L raises 2/dt by at

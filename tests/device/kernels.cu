@@ -134,6 +134,14 @@ __global__ void least_corners(const Vec3<S>* point, const S* volume, S* share) {
   share[element] = least_corner_share(corner, volume[element]);
 }
 
+/// value: of the corners of collapsed hexahedra.
+template <class S>
+__global__ void sum_corners_of_wedges(const S* value, S* sum, std::int64_t count) {
+  const std::int64_t element = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  if (element >= count) return;
+  for (int node = 0; node < 6; ++node) sum[element] += value[8 * element + wedge_corner(node)];
+}
+
 template <class S>
 __global__ void box_balls(const S* ball, S* level, S* next) {
   const std::int64_t group = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
@@ -283,6 +291,7 @@ void instantiate() {
   feet_on_faces<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   pairs_of_edges<S><<<1, 32>>>(nullptr, nullptr);
   least_corners<S><<<1, 32>>>(nullptr, nullptr, nullptr);
+  sum_corners_of_wedges<S><<<1, 32>>>({}, {}, {});
   box_balls<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   find_meeting_boxes<S><<<1, 32>>>({}, nullptr);
   find_meeting_balls<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);

@@ -61,7 +61,7 @@ TEST(StepLevels, TheStableStepIsTheOneOfTheKernel) {
   scene.time.cfl = 1;
   Solver<double> solver(scene);
   solver.step();
-  const double thin = element_stable_step(solver.mesh(), 15, scene.materials[0]);
+  const double thin = element_stable_step(scene, solver.mesh(), 15, scene.materials[0]);
   EXPECT_NEAR(solver.dt() / thin, 1, 1e-4);  // the end of time is divided into equal steps
 }
 

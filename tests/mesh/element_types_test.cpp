@@ -69,7 +69,7 @@ TEST(ElementTypes, AreStoredWithTheVolumeOfTheirShape) {
     EXPECT_EQ(shape_of(shape.stored), shape.shape);
     EXPECT_EQ(worked_as(shape.stored), shape.worked);
     EXPECT_EQ(&known_shape(shape.shape), &shape);
-    EXPECT_NEAR(element_size(shape.stored, corners_of(shape)).volume, volumes.at(shape.shape), 1e-15);
+    EXPECT_NEAR(element_size(shape.worked, corners_of(shape)).volume, volumes.at(shape.shape), 1e-15);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <solver/mesh/quality.hpp>
+#include <solver/mesh/shapes/wedges.hpp>
 
 namespace pinball {
 
@@ -14,8 +15,9 @@ std::vector<double> node_masses(const MeshFile& file, const std::vector<double>&
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     std::array<Point, 8> corners;
     for (std::size_t c = 0; c < 8; ++c) corners[c] = mesh.nodes[mesh.hexahedra[e][c]];
-    const double of_corner = density[file.part[e]] * volume_by_quadrature(corners) / 8;
-    for (const std::int32_t node : mesh.hexahedra[e]) masses[node] += of_corner;
+    const double mass = density[file.part[e]] * volume_by_quadrature(corners);
+    const CornerShares share = corner_shares(worked_as(mesh.hexahedra[e]), mesh.hexahedra[e]);
+    for (std::size_t c = 0; c < 8; ++c) masses[mesh.hexahedra[e][c]] += mass * share[c];
   }
   return masses;
 }

@@ -6,7 +6,7 @@
 
 namespace pinball {
 
-/// Masses at the nodes of a file, an eighth of that of each of their hexahedra. density: per part [mass/length^3].
+/// Masses at the nodes of a file, their shares of that of each of their elements. density: per part [mass/length^3].
 std::vector<double> node_masses(const MeshFile& file, const std::vector<double>& density);
 
 }  // namespace pinball

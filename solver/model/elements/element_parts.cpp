@@ -32,6 +32,10 @@ WorkedShape worked_shape(const Scene& scene, const ModelMesh& mesh, std::size_t 
   return keeps ? WorkedShape::hexahedron : shape;
 }
 
+CornerShares corner_shares(const Scene& scene, const ModelMesh& mesh, std::size_t element) {
+  return corner_shares(worked_shape(scene, mesh, element), mesh.hexahedra[element]);
+}
+
 std::size_t ElementParts::part_of(const ModelMesh& mesh, std::size_t element) const {
   return of_body[mesh.body[element]][place_of(shape[element])];
 }

@@ -5,15 +5,19 @@
 #include <cstdint>
 #include <vector>
 
-#include <solver/mesh/element_types.hpp>
+#include <solver/mesh/shapes/wedges.hpp>
 #include <solver/model/model.hpp>
 #include <solver/scene.hpp>
 
 namespace pinball {
 
-/// Of an element that deforms. Those at the axis of generated sections are wedges, too, but keep volumes of their own:
-/// with one element around the angle there are as many nodes to move as elsewhere, and nothing locks.
+/// Of an element as if it deformed. Those at the axis of generated sections are wedges, too, but are worked as
+/// hexahedra: with one element around the angle there are as many nodes to move as elsewhere, and nothing locks; which
+/// of their nodes has two corners is given by the axis.
 WorkedShape worked_shape(const Scene& scene, const ModelMesh& mesh, std::size_t element);
+
+/// Of its mass, also where it is rigid.
+CornerShares corner_shares(const Scene& scene, const ModelMesh& mesh, std::size_t element);
 
 /// Elements that one kernel with one set of constants works: of a material, with the settings of [element] or those
 /// that a body has in their place; rigid or not; of one shape.

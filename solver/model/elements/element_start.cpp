@@ -24,8 +24,9 @@ double ElementStart::mass_factor(double stable_step) const {
 }
 
 ElementStart element_start(const ModelMesh& mesh, std::size_t element, const Material& material,
-                           const ElementSettings& settings) {
-  const auto [volume, b_b, area] = element_size(mesh.hexahedra[element], mesh.corners(element));
+                           const ElementPart& part) {
+  const auto [volume, b_b, area] = element_size(part.shape, mesh.corners(element));
+  const ElementSettings& settings = part.settings;
   ElementStart start{};
   start.volume = volume;
   start.face_area = area;
@@ -51,7 +52,7 @@ double smallest_stable_step(const Scene& scene, const ModelMesh& mesh, const Ele
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     const ElementPart& part = parts.parts[parts.part_of(mesh, e)];
     if (part.rigid) continue;
-    const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
+    const ElementStart start = element_start(mesh, e, scene.materials[part.material], part);
     smallest = std::min(smallest, start.stable_step(mass_factor.empty() ? 1.0 : mass_factor[e]));
   }
   return smallest;

@@ -19,8 +19,9 @@ struct ElementStart {
   double mass_factor(double stable_step) const;
 };
 
+/// part: that the element belongs to.
 ElementStart element_start(const ModelMesh& mesh, std::size_t element, const Material& material,
-                           const ElementSettings& settings);
+                           const ElementPart& part);
 
 /// The smallest stable step of all elements at the start [time]. mass_factor: per element; empty: 1.
 double smallest_stable_step(const Scene& scene, const ModelMesh& mesh, const ElementParts& parts,

@@ -19,7 +19,7 @@ std::vector<double> mass_factors(const Scene& scene, const ModelMesh& mesh, cons
   for (std::size_t e = 0; e < factors.size(); ++e) {
     const ElementPart& part = parts.parts[parts.part_of(mesh, e)];
     if (part.rigid) continue;
-    const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
+    const ElementStart start = element_start(mesh, e, scene.materials[part.material], part);
     const double factor = start.mass_factor(time.smallest_step / time.cfl);
     if (!(factor > 0) || !std::isfinite(factor)) {
       throw InputError(fmt::format("{}time.smallest_step: expected a step for which {} can have a mass, got {:.9g}",

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <solver/base/moments_of_inertia.hpp>
+#include <solver/model/elements/element_parts.hpp>
 #include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
@@ -104,9 +105,10 @@ class DrivenMotions {
     }
     const auto for_corners = [&](const auto& visit) {
       for (std::size_t e = 0; e < mesh_.hexahedra.size(); ++e) {
-        const double of_corner = share[mesh_.body[e]] * mass_of(e) / 8;
-        for (const std::int32_t n : mesh_.hexahedra[e])
-          visit(weight_[group_[mesh_.body[e]]], of_corner, mesh_.nodes[n]);
+        const double of_element = share[mesh_.body[e]] * mass_of(e);
+        const CornerShares of_corner = corner_shares(scene_, mesh_, e);
+        for (std::size_t i = 0; i < 8; ++i)
+          visit(weight_[group_[mesh_.body[e]]], of_element * of_corner[i], mesh_.corner(e, i));
       }
     };
     for_corners([](Weight& own, double m, const Point& x) {

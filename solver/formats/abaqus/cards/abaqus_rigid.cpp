@@ -7,6 +7,7 @@
 #include <map>
 
 #include <solver/mesh/quality.hpp>
+#include <solver/mesh/shapes/wedges.hpp>
 
 #include "abaqus_parts.hpp"
 
@@ -26,9 +27,11 @@ Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& element
   for (const std::int32_t e : elements) {
     std::array<Point, 8> corners;
     for (std::size_t c = 0; c < 8; ++c) corners[c] = minus(mesh.nodes[mesh.hexahedra[e][c]], point);
-    const double of_corner = density[data.mesh.file.part[e]] * volume_by_quadrature(corners) / 8;
+    const double of_element = density[data.mesh.file.part[e]] * volume_by_quadrature(corners);
+    const CornerShares share = corner_shares(worked_as(mesh.hexahedra[e]), mesh.hexahedra[e]);
     for (std::size_t c = 0; c < 8; ++c) {
       if (!counts(mesh.hexahedra[e][c])) continue;
+      const double of_corner = of_element * share[c];
       mass += of_corner;
       for (std::size_t k = 0; k < 3; ++k) first[k] -= of_corner * corners[c][k];
       size = std::max(size, norm(minus(corners[c], corners[0])));
