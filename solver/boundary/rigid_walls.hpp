@@ -25,9 +25,8 @@ namespace pinball {
 /// Friction: the force across the normal that stops the node within the step, at most friction times N.
 ///
 /// Where constraints or prescribed velocities hold a node, only the part of reaction and friction along its free
-/// directions moves it, and they take up the rest. Several walls act
-/// one after the other: where their normals are not perpendicular, a node in the corner may for a step be behind the
-/// earlier ones.
+/// directions moves it, and they take up the rest. Several walls act one after the other: where their normals are not
+/// perpendicular, a node in the corner may for a step be behind the earlier ones.
 ///
 /// A wall with an end, in space or in time, takes the nodes that come from its free side; those that have gone past it
 /// are left alone. A node is above a rectangle where its foot on the plane is, before the step.

@@ -96,6 +96,16 @@ constexpr double h = 0.1;
 
 Scene cube() { return scene_of({block("a", {2, 2, 2}, h, {0, 0, 0})}, 2e-3, false); }
 
+Scene cube_held_in_height() {
+  Scene scene = cube();
+  FixedConstraint held;
+  held.name = "held";
+  held.nodes.body = "a";
+  held.directions = {{0, 0, 1}};
+  scene.fixed_constraints = {held};
+  return scene;
+}
+
 ForceResult force_of(const Solver<double>& solver, const std::string& name) {
   for (const ForceResult& force : solver.boundary().forces(solver.model())) {
     if (force.name == name) return force;
@@ -142,12 +152,7 @@ TEST(WallsOfHeldNodes, RubWhatDrawsThem) {
 /// A slope that moves under nodes that are held in height pushes them aside and rubs, and lifts none.
 TEST(WallsOfHeldNodes, LeaveThemWhereTheyAreHeld) {
   for (const double friction : {0.0, 0.05, 0.2}) {
-    Scene scene = cube();
-    FixedConstraint held;
-    held.name = "held";
-    held.nodes.body = "a";
-    held.directions = {{0, 0, 1}};
-    scene.fixed_constraints = {held};
+    Scene scene = cube_held_in_height();
     const double s = std::sqrt(0.5);
     scene.rigid_walls = {{"slope", {{-1e-6, 0, 0}, {s, 0, s}}, "", "here"}};
     scene.rigid_walls[0].friction = friction;
@@ -164,14 +169,9 @@ TEST(WallsOfHeldNodes, LeaveThemWhereTheyAreHeld) {
 
 /// 100 kN press a cube that is held in height onto a slope, which presses it upwards as hard: into what holds it.
 TEST(WallsOfHeldNodes, AreFeltByWhatHoldsThem) {
-  Scene scene = cube();
+  Scene scene = cube_held_in_height();
   scene.time.end = 3e-2;
   scene.damping.mass = 2000;
-  FixedConstraint held;
-  held.name = "held";
-  held.nodes.body = "a";
-  held.directions = {{0, 0, 1}};
-  scene.fixed_constraints = {held};
   const double s = std::sqrt(0.5);
   scene.rigid_walls = {{"slope", {{2 * h, 0, 0}, {-s, 0, s}}, "", "here"}};
   scene.rigid_walls[0].nodes.box = Box{{1.9 * h, -h, -0.1 * h}, {2.1 * h, 3 * h, 0.1 * h}};

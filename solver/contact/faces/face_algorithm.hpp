@@ -50,8 +50,8 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   const std::vector<std::int32_t>& nodes_of_springs() override { return no_springs_; }
   void add_pair_forces_of_springs(std::vector<Point>& /*sums*/) const override {}
   void collect_impulses(const SurfaceSource<S>& source, double dt) override;
-  /// Finds the rows of nodes and edges, with other processes if there are some.
   double leap(const SurfaceSource<S>& source, double dt) const;
+  /// Finds the rows of nodes and edges, with other processes if there are some.
   void find_rows(const SurfaceSource<S>& source, const StepReach& step);
   void note_depths();
   /// Whether the lists have all that may touch.
