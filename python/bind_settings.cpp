@@ -18,6 +18,7 @@ void bind_settings(py::module_& module) {
   bind_choice<StrainRate>(module, "StrainRate");
   bind_choice<RateInterpolation>(module, "RateInterpolation");
   bind_choice<EquationOfStateForm>(module, "EquationOfStateForm");
+  bind_choice<VolumeMeasure>(module, "VolumeMeasure");
   bind_choice<MassScaling>(module, "MassScaling");
   bind_table<TimeSettings>(module, "TimeSettings", "[time] of a scene");
   bind_table<ElementSettings>(module, "ElementSettings", "[element] of a scene");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +70,20 @@ struct JohnsonHolmquistSettings {
   bool operator==(const JohnsonHolmquistSettings&) const = default;
 };
 
+/// drucker_prager of a material: ideally plastic strength that grows with the pressure, s:s/2 <= a0 + a1 p + a2 p^2
+/// (kernels/material/drucker_prager.hpp).
+struct DruckerPragerSettings {
+  double constant = 0.0;   ///< constant: a0 [stress^2]
+  double linear = 0.0;     ///< linear: a1 [stress]
+  double quadratic = 0.0;  ///< quadratic: a2 [-]
+  /// largest: which s:s/2 never exceeds; default: infinite [stress^2]
+  double largest = std::numeric_limits<double>::infinity();
+  /// tension_limit: minus the pressure at which, and below which, there is no strength; default: infinite [stress]
+  double tension_limit = std::numeric_limits<double>::infinity();
+
+  bool operator==(const DruckerPragerSettings&) const = default;
+};
+
 /// mooney_rivlin of a material: an energy of A (I - 3) + B (II - 3) and of the volume
 /// (kernels/material/mooney_rivlin.hpp).
 struct MooneyRivlinSettings {
@@ -98,6 +113,8 @@ struct FluidSettings {
   bool operator==(const FluidSettings&) const = default;
 };
 
+enum class VolumeMeasure { logarithmic, density };
+
 enum class EquationOfStateForm { mie_grueneisen, polynomial, tabulated };
 
 /// equation_of_state of a material: p = A(mu) + B(mu) e (kernels/material/equation_of_state.hpp).
@@ -108,10 +125,16 @@ struct EquationOfStateSettings {
   double gamma = 0.0;                 ///< gamma: Gamma_0; the same [-]
   double gamma_slope = 0.0;           ///< gamma_slope: a; the same [-]
   std::vector<double> coefficients;   ///< coefficients: c0 ... c3 [stress], c4 ... c6 [-]; polynomial
-  std::vector<double> volume_strain;  ///< volume_strain: ln(V/V_0) of the points of a table, rising or falling [-]
+  std::vector<double> volume_strain;  ///< volume_strain: of the points of a table, rising or falling [-]
   std::vector<double> pressure;       ///< pressure: A at them [stress]
   std::vector<double> energy_factor;  ///< energy_factor: B at them; empty: 0 [-]
   double tension_limit = 0.0;         ///< tension_limit: pressure is never below minus this; 0: no limit [stress]
+  bool bears_tension = true;          ///< bears_tension: false: pressure is never below 0
+  VolumeMeasure volume_measure = VolumeMeasure::logarithmic;  ///< volume_measure: ln(V/V_0) or 1 - rho/rho_0
+  /// unloading_modulus: K of what crushes, a number or one of each point; none: it goes back as it came [stress]
+  std::vector<double> unloading_modulus;
+  /// full_compaction: beyond which it goes back as it came: minus a volume_strain, or mu; default: infinite [-]
+  double full_compaction = std::numeric_limits<double>::infinity();
 
   bool operator==(const EquationOfStateSettings&) const = default;
 };
@@ -155,6 +178,7 @@ struct Material {
   double rate_stress = 0.0;  ///< rate_stress: what the law adds a multiple of; 0: of the yield stress itself [stress]
   std::optional<JohnsonCookSettings> johnson_cook;            ///< in the place of hardening and rate laws above
   std::optional<JohnsonHolmquistSettings> johnson_holmquist;  ///< in the place of yield_stress, hardening and rates
+  std::optional<DruckerPragerSettings> drucker_prager;        ///< the same
   std::optional<MooneyRivlinSettings> mooney_rivlin;          ///< of an elastic one, in the place of its moduli
   std::optional<OrthotropicSettings> orthotropic;             ///< the same
   std::optional<FluidSettings> fluid;                         ///< in the place of all strength
@@ -164,7 +188,7 @@ struct Material {
 
 /// Whether its strength begins at a yield_stress.
 inline bool has_yield_stress(const Material& material) {
-  return material.plastic && !material.fluid && !material.johnson_holmquist;
+  return material.plastic && !material.fluid && !material.johnson_holmquist && !material.drucker_prager;
 }
 
 }  // namespace pinball

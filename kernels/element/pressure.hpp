@@ -29,19 +29,24 @@ PINBALL_FUNCTION T work_beside_pressure(const ElementPack<T, L>& own, const Midd
   return work;
 }
 
-/// Gives a stress the pressure of the equation of state; returns rho c^2 [stress]. numbers: of MaterialPlaces, with the
-/// energy at `place`; volume: of the undeformed element; inverse_volume: of the one at the end of the step; change: of
-/// the volume in the step; old: the stress before it; work: of work_beside_pressure [energy]; there: elements that have
-/// a volume.
+/// Gives a stress the pressure of the equation of state; returns rho c^2 [stress]. numbers: of `places`; volume: of the
+/// undeformed element; inverse_volume: of the one at the end of the step; change: of the volume in the step; old: the
+/// stress before it; work: of work_beside_pressure [energy]; there: elements that have a volume.
 template <class T, int L>
-PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const ElementNumbers<T, L>& numbers, int place,
-                                const MaskOf<T>& there, const T& volume, const T& inverse_volume, const T& change,
-                                const T& work, const Symmetric<T>& old, Symmetric<T>& stress) {
+PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const ElementNumbers<T, L>& numbers,
+                                const MaterialPlaces& places, const MaskOf<T>& there, const T& volume,
+                                const T& inverse_volume, const T& change, const T& work, const Symmetric<T>& old,
+                                Symmetric<T>& stress) {
   const T third = number<T>(1.0 / 3.0), inverse = select(there, T(1) / select(there, volume, T(1)), T(0));
-  const PressureStep<T> step{select(there, volume * inverse_volume - T(1), T(0)), inverse * change, inverse * work,
-                             -third * trace(old)};
-  const PressureState<T> now = pressure_after(eos, step, numbers.get(place));
-  numbers.set(place, select(there, now.energy, T(0)));
+  PressureStep<T> step{select(there, volume * inverse_volume - T(1), T(0)), inverse * change, inverse * work,
+                       -third * trace(old)};
+  if (eos.crushes) {
+    step.most = numbers.get(places.compaction);
+    const T strain = table_strain(eos, step.compression).value;
+    numbers.set(places.compaction, select(there, most_after(eos, strain, step.most), step.most));
+  }
+  const PressureState<T> now = pressure_after(eos, step, numbers.get(places.energy));
+  numbers.set(places.energy, select(there, now.energy, T(0)));
   const T difference = -now.value - third * trace(stress);
   stress.xx += difference;
   stress.yy += difference;
@@ -62,7 +67,7 @@ PINBALL_FUNCTION void follow_equation_of_state(const ElementConstants<ScalarOf<T
   if constexpr (features.yield == YieldLaw::general) {
     if (constants.pressure.law != PressureLaw::linear) {
       const T work = work_beside_pressure(own, middle, motion, stress_old, stress, viscosity, hourglass);
-      const T bulk_modulus = set_pressure(constants.pressure, numbers, constants.places.energy, middle.whole,
+      const T bulk_modulus = set_pressure(constants.pressure, numbers, constants.places, middle.whole,
                                           own.mass * T(constants.specific_volume), middle.inverse_end_volume,
                                           middle.volume * motion.volumetric, work, stress_old, stress);
       if (constants.fluid.used) {

@@ -26,7 +26,16 @@
 ///
 /// Polynomial: A = c_0 + c_1 mu + c_2 mu^2 + c_3 mu^3, B = c_4 + c_5 mu + c_6 mu^2; where mu < 0 without c_2 and c_6.
 ///
-/// Tabulated: A and B over the volumetric strain ln(1 + mu), in straight pieces of which the first and the last go on.
+/// Tabulated: A and B over a volumetric strain x, ln(1 + mu) or mu, in straight pieces of which the first and the last
+/// go on.
+///
+/// What crushes, foams and soils, goes back along other ways than it came (LS-DYNA's EOS_008 and MAT_005, Radioss'
+/// LAW21 and LAW10). With the x of a table, or x = mu of a polynomial, and m, the largest x so far, from 0 to x_full,
+///
+///     A is that of the curve where x >= m ,   else  min(A(x), A(m) - K(m) (m - x)) ,
+///
+/// with the bulk modulus K of unloading, a number or straight between the points of a table, which is also that of
+/// tension. In rho c^2 the larger of A' and K dx/dmu takes the place of A': the next step may unload.
 ///
 /// At rest p = 0.
 namespace pinball {
@@ -43,9 +52,14 @@ struct EquationOfState {
   S gamma = S(0), gamma_slope = S(0);     ///< Gamma_0, a [-]
   S polynomial[7] = {};                   ///< c_0 ... c_3 [stress], c_4 ... c_6 [-]
   int pieces = 0;                         ///< of the table
-  S strain[most_table_pieces] = {};       ///< ln(1 + mu) at which each begins, rising [-]
-  S cold[most_table_pieces] = {}, cold_rise[most_table_pieces] = {};        ///< A there, dA/d ln(1 + mu) [stress]
-  S thermal[most_table_pieces] = {}, thermal_rise[most_table_pieces] = {};  ///< B there, dB/d ln(1 + mu) [-]
+  bool logarithmic = true;                ///< x of the table is ln(1 + mu), else mu
+  S strain[most_table_pieces] = {};       ///< x at which each begins, rising [-]
+  S cold[most_table_pieces] = {}, cold_rise[most_table_pieces] = {};        ///< A there, dA/dx [stress]
+  S thermal[most_table_pieces] = {}, thermal_rise[most_table_pieces] = {};  ///< B there, dB/dx [-]
+  bool crushes = false;
+  S unloading[most_table_pieces] = {}, unloading_rise[most_table_pieces] = {};  ///< K there, dK/dx [stress]
+  S last = S(INFINITY);    ///< x behind which K does not change [-]
+  S full = S(INFINITY);    ///< x_full [-]
   S tension_limit = S(0);  ///< the pressure is never below minus this; infinity: no such limit [stress]
 };
 
@@ -87,9 +101,21 @@ PINBALL_FUNCTION PressureParts<T> polynomial_pressure(const EquationOfState<Scal
           T(c[4]) + mu * (T(c[5]) + mu * c6), T(c[5]) + T(2) * mu * c6};
 }
 
+/// x of a table, and dx/dmu.
 template <class T>
-PINBALL_FUNCTION PressureParts<T> tabulated_pressure(const EquationOfState<ScalarOf<T>>& eos, const T& mu) {
-  const T density = T(1) + mu, strain = logarithm(density);
+struct TableStrain {
+  T value, slope;  ///< [-]
+};
+template <class T>
+PINBALL_FUNCTION TableStrain<T> table_strain(const EquationOfState<ScalarOf<T>>& eos, const T& mu) {
+  if (!eos.logarithmic) return {mu, T(1)};
+  const T density = T(1) + mu;
+  return {logarithm(density), T(1) / density};
+}
+
+/// Parts at a strain, and their slopes over it.
+template <class T>
+PINBALL_FUNCTION PressureParts<T> table_at(const EquationOfState<ScalarOf<T>>& eos, const T& strain) {
   T begin(eos.strain[0]), cold(eos.cold[0]), rise(eos.cold_rise[0]), thermal(eos.thermal[0]),
       thermal_rise(eos.thermal_rise[0]);
   for (int k = 1; k < eos.pieces; ++k) {
@@ -100,14 +126,66 @@ PINBALL_FUNCTION PressureParts<T> tabulated_pressure(const EquationOfState<Scala
     thermal = select(reached, T(eos.thermal[k]), thermal);
     thermal_rise = select(reached, T(eos.thermal_rise[k]), thermal_rise);
   }
-  const T beyond = strain - begin, inverse = T(1) / density;  // d ln(1 + mu)/dmu
-  return {cold + rise * beyond, rise * inverse, thermal + thermal_rise * beyond, thermal_rise * inverse};
+  const T beyond = strain - begin;
+  return {cold + rise * beyond, rise, thermal + thermal_rise * beyond, thermal_rise};
+}
+
+template <class T>
+PINBALL_FUNCTION PressureParts<T> tabulated_pressure(const EquationOfState<ScalarOf<T>>& eos, const T& mu) {
+  const TableStrain<T> x = table_strain(eos, mu);
+  const PressureParts<T> at = table_at(eos, x.value);
+  return {at.cold, at.cold_slope * x.slope, at.thermal, at.thermal_slope * x.slope};
 }
 
 template <class T>
 PINBALL_FUNCTION PressureParts<T> pressure_parts(const EquationOfState<ScalarOf<T>>& eos, const T& mu) {
   if (eos.law == PressureLaw::tabulated) return tabulated_pressure(eos, mu);
   return eos.law == PressureLaw::polynomial ? polynomial_pressure(eos, mu) : mie_grueneisen(eos, mu);
+}
+
+/// K(m) [stress]
+template <class T>
+PINBALL_FUNCTION T unloading_modulus(const EquationOfState<ScalarOf<T>>& eos, const T& most) {
+  const T strain = minimum(most, T(eos.last));
+  T begin(eos.strain[0]), modulus(eos.unloading[0]), rise(eos.unloading_rise[0]);
+  for (int k = 1; k < eos.pieces; ++k) {
+    const auto reached = strain >= T(eos.strain[k]);
+    begin = select(reached, T(eos.strain[k]), begin);
+    modulus = select(reached, T(eos.unloading[k]), modulus);
+    rise = select(reached, T(eos.unloading_rise[k]), rise);
+  }
+  return modulus + rise * (strain - begin);
+}
+
+/// m after a step to x.
+template <class T>
+PINBALL_FUNCTION T most_after(const EquationOfState<ScalarOf<T>>& eos, const T& strain, const T& most) {
+  return minimum(maximum(most, strain), T(eos.full));
+}
+
+/// The parts of what has been compressed as far as `most`, m, before.
+template <class T>
+PINBALL_FUNCTION PressureParts<T> parts_of_crushed(const EquationOfState<ScalarOf<T>>& eos, const T& mu,
+                                                   const T& most) {
+  PressureParts<T> at = pressure_parts(eos, mu);
+  if (!eos.crushes) return at;
+  const TableStrain<T> x = table_strain(eos, mu);
+  const T reached = most_after(eos, x.value, most), modulus = unloading_modulus(eos, reached);
+  const T top =
+      eos.law == PressureLaw::polynomial ? polynomial_pressure(eos, reached).cold : table_at(eos, reached).cold;
+  const T line = top - modulus * (reached - x.value);
+  at.cold = select(x.value < most, minimum(line, at.cold), at.cold);
+  at.cold_slope = maximum(at.cold_slope, modulus * x.slope);
+  return at;
+}
+
+/// The pressure at a compression with the energy that a step begins with: of strength that depends on it, before the
+/// work of the step is known [stress].
+template <class T>
+PINBALL_FUNCTION T pressure_of_energy(const EquationOfState<ScalarOf<T>>& eos, const T& mu, const T& most,
+                                      const T& energy) {
+  const PressureParts<T> at = parts_of_crushed(eos, mu, most);
+  return maximum(at.cold + at.thermal * energy, T(-eos.tension_limit));
 }
 
 /// What a step does to the pressure.
@@ -117,6 +195,7 @@ struct PressureStep {
   T volumetric;    ///< dV/V_0 [-]
   T work;          ///< w: of deviator and bulk viscosity, per volume of the undeformed material [stress]
   T pressure_old;  ///< [stress]
+  T most{0};       ///< m at its beginning, of what crushes [-]
 };
 
 template <class T>
@@ -129,7 +208,7 @@ template <class T>
 PINBALL_FUNCTION PressureState<T> pressure_after(const EquationOfState<ScalarOf<T>>& eos, const PressureStep<T>& step,
                                                  const T& energy_old) {
   using S = ScalarOf<T>;
-  const PressureParts<T> at = pressure_parts(eos, step.compression);
+  const PressureParts<T> at = parts_of_crushed(eos, step.compression, step.most);
   const T half = T(S(0.5)) * step.volumetric;
   const T before = energy_old + step.work - half * step.pressure_old;  // all but the work of p_new
   const T energy = (before - half * at.cold) / (T(1) + half * at.thermal);

@@ -103,6 +103,26 @@ PINBALL_FUNCTION void break_brittly(const ElementConstants<ScalarOf<T>>& constan
   if (law.erodes) outcome.failed = after >= T(1);
 }
 
+/// Strength of the pressure alone, which is that of the equation of state, or of the stress.
+template <HourglassKind kind, class T, int L>
+PINBALL_FUNCTION void yield_under_pressure(const ElementConstants<ScalarOf<T>>& constants,
+                                           const ElementMotion<T>& motion, const ElementNumbers<T, L>& numbers,
+                                           KeptHourglass<T, kind>& kept, Symmetric<T>& stress, T& plastic_strain,
+                                           YieldOutcome<T>& outcome) {
+  const EquationOfState<ScalarOf<T>>& eos = constants.pressure;
+  const MaterialPlaces& places = constants.places;
+  T pressure = number<T>(-1.0 / 3.0) * trace(stress);
+  if (eos.law != PressureLaw::linear) {
+    const auto there = motion.density > T(0);
+    const T compression = select(there, motion.density * T(constants.specific_volume) - T(1), T(0));
+    const T most = eos.crushes ? numbers.get(places.compaction) : T(0);
+    pressure = pressure_of_energy(eos, compression, most, numbers.get(places.energy));
+  }
+  DruckerPragerYield<T> strength(constants.material, constants.granular, pressure);
+  Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
+  outcome.any_lost = return_generally(strength, kept, stress, back, plastic_strain, outcome.lost);
+}
+
 /// Yield of a step, with what is kept. In a step of no length nothing strains, and its rates are those of the next.
 template <HourglassKind kind, class T, int L>
 PINBALL_FUNCTION YieldOutcome<T> yield_generally(const ElementConstants<ScalarOf<T>>& constants,
@@ -120,6 +140,10 @@ PINBALL_FUNCTION YieldOutcome<T> yield_generally(const ElementConstants<ScalarOf
   }
   if (constants.brittle.used) {
     break_brittly(constants, motion, numbers, kept, stress, plastic_strain, outcome);
+    return outcome;
+  }
+  if (constants.granular.used) {
+    if (motion.dt > 0) yield_under_pressure(constants, motion, numbers, kept, stress, plastic_strain, outcome);
     return outcome;
   }
   const int place = constants.places.back_stress;

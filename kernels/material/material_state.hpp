@@ -10,6 +10,7 @@ struct MaterialPlaces {
   int back_stress = -1;  ///< five: xx yy xy yz zx [stress]
   int temperature = -1;  ///< above that of the undeformed material [temperature]
   int energy = -1;       ///< e of equation_of_state.hpp [stress]
+  int compaction = -1;   ///< m of equation_of_state.hpp [-]
   int damage = -1;       ///< 1: has failed [-]
   int hardening = -1;    ///< e_h of johnson_cook.hpp [-]
   int bulking = -1;      ///< b of johnson_holmquist.hpp [stress]

@@ -185,6 +185,16 @@ class EquationOfStateForm:
     def __init__(self, value: Union[int, str]) -> None: ...
     def __int__(self) -> int: ...
 
+class VolumeMeasure:
+    logarithmic: VolumeMeasure
+    density: VolumeMeasure
+    @property
+    def name(self) -> str: ...
+    @property
+    def value(self) -> int: ...
+    def __init__(self, value: Union[int, str]) -> None: ...
+    def __int__(self) -> int: ...
+
 class MassScaling:
     small: MassScaling
     all: MassScaling
@@ -518,6 +528,20 @@ class JohnsonHolmquist:
     erodes: bool
     """whether an element whose damage reaches 1 is eroded"""
 
+class DruckerPrager:
+    """Strength that grows with the pressure."""
+    def __init__(self, *, constant: float = ..., linear: float = ..., quadratic: float = ..., largest: float = ..., tension_limit: float = ...) -> None: ...
+    constant: float
+    """a0 [M^2/(L^2 T^4)]"""
+    linear: float
+    """a1 [stress]"""
+    quadratic: float
+    """a2; one of the three > 0 [-]"""
+    largest: float
+    """which s:s/2 never exceeds [M^2/(L^2 T^4)]"""
+    tension_limit: float
+    """where the mean stress reaches this there is no strength [stress]"""
+
 class MooneyRivlin:
     """Rubber after Mooney and Rivlin."""
     def __init__(self, *, a: float = ..., b: float = ..., poisson_ratio: float = ...) -> None: ...
@@ -550,7 +574,7 @@ class Fluid:
 
 class EquationOfState:
     """Pressure over compression and energy."""
-    def __init__(self, *, form: Union[EquationOfStateForm, str] = ..., sound_speed: float = ..., slopes: Sequence[float] = ..., gamma: float = ..., gamma_slope: float = ..., coefficients: Sequence[float] = ..., volume_strain: Sequence[float] = ..., pressure: Sequence[float] = ..., energy_factor: Sequence[float] = ..., tension_limit: float = ...) -> None: ...
+    def __init__(self, *, form: Union[EquationOfStateForm, str] = ..., sound_speed: float = ..., slopes: Sequence[float] = ..., gamma: float = ..., gamma_slope: float = ..., coefficients: Sequence[float] = ..., volume_strain: Sequence[float] = ..., pressure: Sequence[float] = ..., energy_factor: Sequence[float] = ..., tension_limit: float = ..., bears_tension: bool = ..., volume_measure: Union[VolumeMeasure, str] = ..., unloading_modulus: Sequence[float] = ..., full_compaction: float = ...) -> None: ...
     form: Field[EquationOfStateForm, Union[EquationOfStateForm, str]]
     """of A and B in p = A + B e"""
     sound_speed: float
@@ -564,13 +588,21 @@ class EquationOfState:
     coefficients: Field[list[float], Sequence[float]]
     """[c0, c1, c2, c3, c4, c5, c6], the last three without a unit [stress]"""
     volume_strain: Field[list[float], Sequence[float]]
-    """ln(V/V_0) of 2 to 16 points, rising or falling; beyond the ends the last pieces go on [-]"""
+    """of 2 to 16 points, rising or falling, below 0 in compression; beyond the ends the last pieces go on [-]"""
     pressure: Field[list[float], Sequence[float]]
     """A at these points, 0 where the volume is that at rest [stress]"""
     energy_factor: Field[list[float], Sequence[float]]
     """B at these points; none: 0 [-]"""
     tension_limit: float
     """the pressure is never below minus this; 0: no limit [stress]"""
+    bears_tension: bool
+    """false: the pressure is never below 0"""
+    volume_measure: Field[VolumeMeasure, Union[VolumeMeasure, str]]
+    """what volume_strain is: "logarithmic", ln(V/V_0); "density", 1 - rho/rho_0"""
+    unloading_modulus: Field[list[float], Sequence[float]]
+    """[K] of what crushes, in tension, too, or one for each point: K is straight between them; none: it goes back as it came; empty: none [stress]"""
+    full_compaction: float
+    """beyond it what crushes goes back as it came: a volume_strain without its sign, or mu of a polynomial [-]"""
 
 class Erosion:
     """Limits beyond which elements are eroded."""
@@ -596,7 +628,7 @@ class Erosion:
 
 class Material:
     """[[material]] of a scene, with bulk and shear modulus."""
-    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., johnson_holmquist: Optional[JohnsonHolmquist] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., orthotropic: Optional[Orthotropic] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., johnson_holmquist: Optional[JohnsonHolmquist] = ..., drucker_prager: Optional[DruckerPrager] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., orthotropic: Optional[Orthotropic] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
     name: str
     """unique"""
     plastic: bool
@@ -635,6 +667,8 @@ class Material:
     """table (below), in the place of the laws of hardening and rate above; yield_stress is its A; None: none"""
     johnson_holmquist: Optional[JohnsonHolmquist]
     """table (below), in the place of yield_stress and the laws above: ceramics, glass and rock, whose strength grows with the pressure; bulk_modulus is its K_1; None: none"""
+    drucker_prager: Optional[DruckerPrager]
+    """table (below), in the place of yield_stress and the laws above: soils, foams and concrete, whose strength grows with the pressure; None: none"""
     mooney_rivlin: Optional[MooneyRivlin]
     """table (below): rubber, in the place of the moduli; None: none"""
     orthotropic: Optional[Orthotropic]

@@ -92,6 +92,7 @@ void print_materials(const Scene& scene, const Units& units) {
     fmt::print("  {} ({}): density {}, bulk modulus {}, shear modulus {}\n", m.name,
                m.fluid               ? "fluid"
                : m.johnson_holmquist ? "brittle"
+               : m.drucker_prager    ? "granular"
                : m.plastic           ? "von Mises"
                                      : "elastic",
                with_unit(m.density, units.density), with_unit(m.bulk_modulus, units.stress),

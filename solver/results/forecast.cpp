@@ -30,6 +30,9 @@ double flow_stress(const Material& m) {
   if (const auto& brittle = m.johnson_holmquist) {
     return brittle->intact_strength * 1.5 * (brittle->elastic_limit - brittle->elastic_limit_pressure);
   }
+  if (const auto& granular = m.drucker_prager) {  // at the pressure at which it is pressed with as much
+    return std::sqrt(3 * (granular->constant + granular->linear * granular->linear));
+  }
   return m.yield_stress + (m.johnson_cook ? m.johnson_cook->hardening_coefficient : 0.0);
 }
 

@@ -116,7 +116,7 @@ TEST_P(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
   expect_same_run<double>(scene, GetParam());
 }
 
-TEST_P(DeviceRun, HasPowersFluidsRubberAndAxes) {
+TEST_P(DeviceRun, HasPowersFluidsSoilRubberAndAxes) {
   Scene scene = torn_block();
   scene.element.hourglass = HourglassControl::viscous;
   scene.time.end = 10e-6;
@@ -131,7 +131,7 @@ TEST_P(DeviceRun, HasPowersFluidsRubberAndAxes) {
   fluid.equation_of_state.emplace();
   fluid.equation_of_state->sound_speed = 4000;
   rubber.mooney_rivlin = MooneyRivlinSettings{3e10, 1e10, 0.3};
-  for (const Material& material : {power, fluid, rubber, wood}) {
+  for (const Material& material : {power, fluid, soil_material("soil"), rubber, wood}) {
     scene.materials.push_back(material);
     Body more = block(material.name, {3, 4, 5}, 0.01, {0.5 * scene.bodies.size(), 0, 0}, {}, material.name);
     more.velocity_gradient = scene.bodies[0].velocity_gradient;

@@ -80,7 +80,8 @@ std::vector<Material> materials() {
           with_heat(StrainRate::deviatoric),
           with_heat(StrainRate::plastic),
           with_damage(),
-          that_breaks()};
+          that_breaks(),
+          soil_material("steel")};
 }
 
 /// A bar that strikes a wall with its edge first: it yields, bends and springs back.

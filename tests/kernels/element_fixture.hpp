@@ -7,17 +7,18 @@
 namespace pinball::test {
 
 /// All that a material may keep, in this order.
-inline constexpr int material_numbers = 31;
+inline constexpr int material_numbers = 32;
 inline constexpr MaterialPlaces material_places{.back_stress = 0,
                                                 .temperature = 5,
                                                 .energy = 6,
+                                                .compaction = 31,
                                                 .damage = 7,
                                                 .hardening = 29,
                                                 .bulking = 30,
                                                 .strain = 8,
                                                 .deformation = 14,
                                                 .gradient = 20,
-                                                .numbers = 31};
+                                                .numbers = 32};
 
 struct ElementState {
   double mass = 0;
@@ -30,6 +31,7 @@ struct ElementState {
 
   double temperature() const { return material[material_places.temperature]; }
   double energy() const { return material[material_places.energy]; }
+  double compaction() const { return material[material_places.compaction]; }
   double damage() const { return material[material_places.damage]; }
 };
 
@@ -90,6 +92,7 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
   if constexpr (std::is_same_v<S, double>) {
     to.johnson_cook = c.johnson_cook;
     to.brittle = c.brittle;
+    to.granular = c.granular;
     to.pressure = c.pressure;
     to.fluid = c.fluid;
     to.rubber = c.rubber;

@@ -157,6 +157,7 @@ Scene scene() {
                       .power_hardening = {},
                       .johnson_cook = {},
                       .johnson_holmquist = {},
+                      .drucker_prager = {},
                       .mooney_rivlin = {},
                       .orthotropic = {},
                       .fluid = {},

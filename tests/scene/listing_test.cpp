@@ -25,6 +25,7 @@ Scene example() {
                       .power_hardening = {},
                       .johnson_cook = {},
                       .johnson_holmquist = {},
+                      .drucker_prager = {},
                       .mooney_rivlin = {},
                       .orthotropic = {},
                       .fluid = {},

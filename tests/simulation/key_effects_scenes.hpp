@@ -86,6 +86,17 @@ inline std::map<std::string, std::string> key_effects_scenes() {
                "fractured_exponent = 0.7\nmost_fractured = 0.5\nrate_coefficient = 0.01\nreference_rate = 0.1\n"
                "tensile_strength = 0.2\nelastic_limit = 3.0\nelastic_limit_pressure = 1.4\ndamage_coefficient = 0.05\n"
                "damage_exponent = 0.9\nquadratic_modulus = 10.0\ncubic_modulus = 20.0\nbulking = 0.9\n")},
+      {"Drucker and Prager", pressed("model = \"von_mises\"\n" + moduli +
+                                     "drucker_prager = { constant = 0.2, linear = 0.5, "
+                                     "quadratic = 0.1 }\n")},
+      {"what crushes",
+       pressed("model = \"von_mises\"\nshear_modulus = 50.0\ndrucker_prager = { constant = 0.2, linear = 0.1, largest "
+               "= 0.3 "
+               "}\n[material.equation_of_state]\nform = \"tabulated\"\nvolume_strain = [0.0, -0.05, -0.6]\n"
+               "pressure = [0.0, 1.0, 30.0]\nunloading_modulus = [90.0, 100.0, 110.0]\n")},
+      {"a polynomial that crushes",
+       pressed(law + "[material.equation_of_state]\nform = \"polynomial\"\n"
+                     "coefficients = [0.0, 30.0, 80.0, 10.0, 0.0, 0.0, 0.0]\nunloading_modulus = [90.0]\n")},
       {"A of Johnson and Cook alone", one(yields + "[material.johnson_cook]\n")},
       {"shock", one(law + "[material.equation_of_state]\nform = \"mie_grueneisen\"\nsound_speed = 3.0\n"
                           "slopes = [1.4, 0.1, 0.0]\ngamma = 2.0\n")},

@@ -209,6 +209,14 @@ TEST(Restart, StrainOfRubberAndEnergyOfFluids) {
   expect_same_after_restart<float>(scene, {0.6});
 }
 
+TEST(Restart, CompactionOfWhatCrushes) {
+  Scene scene = scene_of({block("bar", {6, 3, 3}, 0.1, {0, 0, 0}, {0, 5, -20}, "soil")}, 8e-4, false);
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  scene.materials = {soil_material("soil")};
+  expect_same_after_restart<double>(scene);
+  expect_same_after_restart<float>(scene, {0.6});
+}
+
 TEST(Restart, DeformationOfWhatHasAxes) {
   Scene scene = scene_of({block("bar", {6, 3, 3}, 0.1, {0, 0, 0}, {0, 5, -20}, "wood")}, 8e-4, false);
   scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};

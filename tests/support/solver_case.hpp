@@ -39,6 +39,21 @@ inline Material plastic_material(const std::string& name, double yield_stress, d
   return m;
 }
 
+/// As dense and stiff as steel, so that what strikes it does so in the same time, but it crushes, and its strength
+/// grows with the pressure.
+inline Material soil_material(const std::string& name) {
+  Material m = plastic_material(name, 0, 0);
+  m.plastic_modulus = 0;
+  m.bulk_modulus = 1.5e11;
+  m.drucker_prager = DruckerPragerSettings{1e15, 2e7, 0.05};
+  EquationOfStateSettings& pressure = m.equation_of_state.emplace();
+  pressure.form = EquationOfStateForm::tabulated;
+  pressure.volume_strain = {0, -0.001, -0.01, -0.3};
+  pressure.pressure = {0, 1e8, 2e8, 4e10};
+  pressure.unloading_modulus = {1.5e11, 1.6e11, 1.7e11, 2e11};
+  return m;
+}
+
 /// A block of cubic elements of size h.
 inline Body block(const std::string& name, const std::array<int, 3>& elements, double h, const Point& corner,
                   const Point& velocity = {}, const std::string& material = "steel") {

@@ -70,6 +70,21 @@ JohnsonHolmquistConstants<S> brittle_constants(const Material& material) {
 }
 
 template <class S>
+DruckerPragerConstants<S> granular_constants(const Material& material) {
+  DruckerPragerConstants<S> law;
+  if (!material.drucker_prager) return law;
+  const DruckerPragerSettings& given = *material.drucker_prager;
+  law.used = true;
+  law.constant = to<S>(given.constant);
+  law.linear = to<S>(given.linear);
+  law.quadratic = to<S>(given.quadratic);
+  law.most = to<S>(given.largest);
+  law.none = to<S>(-given.tension_limit);
+  if (given.quadratic > 0) law.apex = to<S>(-given.linear / (2 * given.quadratic));
+  return law;
+}
+
+template <class S>
 MooneyRivlinConstants<S> rubber_constants(const Material& material) {
   if (!material.mooney_rivlin || material.plastic) return {};
   const auto& [a, b, nu] = *material.mooney_rivlin;
@@ -125,13 +140,20 @@ EquationOfState<S> pressure_constants(const Material& material) {
   if (!material.equation_of_state) return eos;
   const EquationOfStateSettings& given = *material.equation_of_state;
   eos.tension_limit = given.tension_limit > 0 ? to<S>(given.tension_limit) : std::numeric_limits<S>::infinity();
+  if (!given.bears_tension) eos.tension_limit = 0;
+  eos.crushes = !given.unloading_modulus.empty();
+  eos.full = to<S>(given.full_compaction);
   if (given.form == EquationOfStateForm::polynomial) {
     eos.law = PressureLaw::polynomial;
     std::transform(given.coefficients.begin(), given.coefficients.end(), eos.polynomial, to<S>);
+    eos.logarithmic = false;
+    if (eos.crushes) eos.unloading[0] = to<S>(given.unloading_modulus.front());
     return eos;
   }
   if (given.form == EquationOfStateForm::tabulated) {
     eos.law = PressureLaw::tabulated;
+    eos.logarithmic = given.volume_measure == VolumeMeasure::logarithmic;
+    eos.last = to<S>(0.0 - std::ranges::min(given.volume_strain));
     for (const TablePiece& piece : pieces_of_table(given)) {
       const int k = eos.pieces++;
       eos.strain[k] = to<S>(piece.strain);
@@ -139,6 +161,8 @@ EquationOfState<S> pressure_constants(const Material& material) {
       eos.cold_rise[k] = to<S>(piece.cold_rise);
       eos.thermal[k] = to<S>(piece.thermal);
       eos.thermal_rise[k] = to<S>(piece.thermal_rise);
+      eos.unloading[k] = to<S>(piece.unloading);
+      eos.unloading_rise[k] = to<S>(piece.unloading_rise);
     }
     return eos;
   }
@@ -193,6 +217,7 @@ MaterialPlaces material_places(const Material& material) {
     keep(places.bulking, 1);
   }
   if (material.equation_of_state) keep(places.energy, 1);
+  if (material.equation_of_state && !material.equation_of_state->unloading_modulus.empty()) keep(places.compaction, 1);
   return places;
 }
 
@@ -200,6 +225,8 @@ template JohnsonCookConstants<double> johnson_cook_constants<double>(const Mater
 template JohnsonCookConstants<float> johnson_cook_constants<float>(const Material&);
 template JohnsonHolmquistConstants<double> brittle_constants<double>(const Material&);
 template JohnsonHolmquistConstants<float> brittle_constants<float>(const Material&);
+template DruckerPragerConstants<double> granular_constants<double>(const Material&);
+template DruckerPragerConstants<float> granular_constants<float>(const Material&);
 template MooneyRivlinConstants<double> rubber_constants<double>(const Material&);
 template MooneyRivlinConstants<float> rubber_constants<float>(const Material&);
 template OrthotropicConstants<double> orthotropic_constants<double>(const Material&);

@@ -13,6 +13,10 @@ JohnsonCookConstants<S> johnson_cook_constants(const Material& material);
 template <class S>
 JohnsonHolmquistConstants<S> brittle_constants(const Material& material);
 
+/// Drucker and Prager's, the same.
+template <class S>
+DruckerPragerConstants<S> granular_constants(const Material& material);
+
 /// None used of a material that is none, here and below.
 template <class S>
 MooneyRivlinConstants<S> rubber_constants(const Material& material);

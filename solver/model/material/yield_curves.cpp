@@ -54,7 +54,7 @@ std::vector<double> all_strains(const std::vector<YieldCurve>& curves) {
 bool has_general_yield(const Material& m) {
   if (m.erosion || ((m.mooney_rivlin || m.orthotropic) && !m.plastic)) return true;
   return m.plastic && (m.isotropic_share < 1 || m.rate_constant > 0 || !m.yield_curves.empty() || m.power_hardening ||
-                       m.johnson_cook || m.johnson_holmquist || m.equation_of_state);
+                       m.johnson_cook || m.johnson_holmquist || m.drucker_prager || m.equation_of_state);
 }
 
 StrainRateMeasure strain_rate_measure(StrainRate rate) {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace pinball {
@@ -89,6 +90,17 @@ void print_johnson_holmquist(const Material& m, const Units& units) {
              with_unit(law.cubic_modulus, units.stress), law.bulking);
 }
 
+void print_drucker_prager(const DruckerPragerSettings& law, const Units& units) {
+  const std::string square = units.stress.empty() ? "" : units.stress + "^2";
+  fmt::print("    Drucker-Prager: s:s/2 <= {} + {} p + {:.6g} p^2", with_unit(law.constant, square),
+             with_unit(law.linear, units.stress), law.quadratic);
+  if (std::isfinite(law.largest)) fmt::print(", at most {}", with_unit(law.largest, square));
+  if (std::isfinite(law.tension_limit)) {
+    fmt::print(", no strength from the tension {} on", with_unit(law.tension_limit, units.stress));
+  }
+  fmt::print("\n");
+}
+
 void print_equation_of_state(const EquationOfStateSettings& eos, const Units& units) {
   if (eos.form == EquationOfStateForm::polynomial) {
     fmt::print("    equation of state: polynomial, c1 {}", with_unit(eos.coefficients[1], units.stress));
@@ -100,6 +112,12 @@ void print_equation_of_state(const EquationOfStateSettings& eos, const Units& un
                with_unit(eos.sound_speed, units.velocity), eos.slopes[0], eos.gamma);
   }
   if (eos.tension_limit > 0) fmt::print(", no tension beyond {}", with_unit(eos.tension_limit, units.stress));
+  if (!eos.bears_tension) fmt::print(", no tension");
+  if (!eos.unloading_modulus.empty()) {
+    const auto [least, most] = std::ranges::minmax(eos.unloading_modulus);
+    fmt::print("; it crushes, and unloads with K {}", with_unit(least, units.stress));
+    if (most > least) fmt::print(" to {}", with_unit(most, units.stress));
+  }
   fmt::print("\n");
 }
 
@@ -117,6 +135,8 @@ void print_hardening(const Material& m, const Units& units) {
   }
   if (m.johnson_holmquist) {
     print_johnson_holmquist(m, units);
+  } else if (m.drucker_prager) {
+    print_drucker_prager(*m.drucker_prager, units);
   } else if (m.johnson_cook) {
     print_johnson_cook(m, units);
   } else if (m.power_hardening) {

@@ -106,7 +106,7 @@ SchemaJson material_schema(const SchemaJson& of_tables) {
                          {"then",
                           {{"anyOf",
                             {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"}),
-                             required({"fluid"}), required({"johnson_holmquist"})}}}}};
+                             required({"fluid"}), required({"johnson_holmquist"}), required({"drucker_prager"})}}}}};
   const SchemaJson moduli{{"oneOf",
                            {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
                             required({"equation_of_state", "shear_modulus"}), required({"mooney_rivlin"}),

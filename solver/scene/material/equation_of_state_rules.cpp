@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <solver/scene_rules.hpp>
@@ -32,8 +33,20 @@ std::optional<Problem> problem_of_polynomial(const std::vector<double>& c) {
 }  // namespace
 
 std::optional<Problem> problem_of(const EquationOfStateSettings& eos) {
+  if (!eos.bears_tension && eos.tension_limit > 0) {
+    return Problem{"tension_limit", fmt::format("expected 0 beside bears_tension = false, got {}", eos.tension_limit)};
+  }
+  for (const double one : eos.unloading_modulus) {
+    if (!(one > 0 && std::isfinite(one)))
+      return Problem{"unloading_modulus", fmt::format("expected numbers > 0, got {}", one)};
+  }
   if (eos.form == EquationOfStateForm::tabulated) return problem_of_table(eos);
-  if (eos.form == EquationOfStateForm::polynomial) return problem_of_polynomial(eos.coefficients);
+  if (eos.form == EquationOfStateForm::polynomial) {
+    if (eos.unloading_modulus.size() > 1)
+      return Problem{"unloading_modulus",
+                     fmt::format("expected one number of a polynomial, got {}", eos.unloading_modulus.size())};
+    return problem_of_polynomial(eos.coefficients);
+  }
   for (const double slope : eos.slopes) {
     if (!std::isfinite(slope)) return Problem{"slopes", fmt::format("expected finite numbers, got {}", slope)};
   }
@@ -43,7 +56,9 @@ std::optional<Problem> problem_of(const EquationOfStateSettings& eos) {
 double bulk_modulus_at_rest(const EquationOfStateSettings& eos, double density) {
   if (eos.form == EquationOfStateForm::mie_grueneisen) return density * eos.sound_speed * eos.sound_speed;
   if (eos.form == EquationOfStateForm::tabulated) return bulk_modulus_of_table(eos);
-  return eos.coefficients.size() == coefficients ? eos.coefficients[1] : 0.0;
+  if (eos.coefficients.size() != coefficients) return 0;
+  return eos.unloading_modulus.empty() ? eos.coefficients[1]
+                                       : std::max(eos.coefficients[1], eos.unloading_modulus.front());
 }
 
 }  // namespace pinball

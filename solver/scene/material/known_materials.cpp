@@ -55,6 +55,7 @@ double size_in_si(std::string_view unit, const Units& units) {
   if (unit == "L/T") return units.velocity_si();
   if (unit == "M/L^3") return units.density_si();
   if (unit == "M/(L T^2)") return units.stress_si();
+  if (unit == "M^2/(L^2 T^4)") return units.stress_si() * units.stress_si();
   if (unit == "L^2/(T^2 K)") return units.velocity_si() * units.velocity_si();
   return 0;
 }

@@ -86,6 +86,20 @@ std::optional<Problem> problem_of_johnson_holmquist(const Material& m) {
   return {};
 }
 
+/// The same of one whose strength is of the pressure alone.
+std::optional<Problem> problem_of_drucker_prager(const Material& m) {
+  const char* const other = m.yield_stress > 0    ? "yield_stress"
+                            : m.johnson_cook      ? "johnson_cook"
+                            : m.johnson_holmquist ? "johnson_holmquist"
+                            : m.fluid             ? "fluid"
+                                                  : other_hardening(m);
+  if (other != nullptr) return Problem{other, "expected none beside drucker_prager"};
+  if (const auto problem = problem_of(*m.drucker_prager)) {
+    return Problem{fmt::format("drucker_prager.{}", problem->key), problem->text};
+  }
+  return {};
+}
+
 /// What stands beside a fluid that only solids have, and what it needs.
 std::optional<Problem> problem_of_fluid(const Material& m) {
   const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
@@ -120,6 +134,9 @@ std::optional<Problem> problem_of_erosion(const Material& m) {
                    fmt::format("expected a number < {} = {}, beyond which there is no tension, got {}", key, limit,
                                m.erosion->tension)};
   };
+  if (m.equation_of_state && !m.equation_of_state->bears_tension && m.erosion->tension > 0) {
+    return Problem{"erosion.tension", "expected 0 beside equation_of_state.bears_tension = false: there is no tension"};
+  }
   const double limit = m.equation_of_state ? m.equation_of_state->tension_limit : 0;
   if (limit > 0 && m.erosion->tension >= limit) return beyond("equation_of_state.tension_limit", limit);
   if (const auto& law = m.johnson_holmquist;
@@ -186,6 +203,9 @@ std::optional<Problem> problem_of(const Material& material) {
   if (material.johnson_holmquist) {
     if (const auto problem = problem_of_johnson_holmquist(material)) return problem;
   }
+  if (material.drucker_prager) {
+    if (const auto problem = problem_of_drucker_prager(material)) return problem;
+  }
   if (material.power_hardening) {
     if (const auto problem = problem_of_power(material)) return problem;
   }
@@ -223,6 +243,11 @@ std::optional<Problem> problem_of(const Body& body, const Scene& scene) {
                  fmt::format("expected elements with element.hourglass = \"viscous\" or \"none\" of {}, which "
                              "is fluid: other forms resist as solids do",
                              material->name)};
+}
+
+std::optional<Problem> problem_of(const DruckerPragerSettings& law) {
+  if (law.constant > 0 || law.linear > 0 || law.quadratic > 0) return {};
+  return Problem{"constant", "expected this, linear or quadratic > 0, got none: what has no strength is a fluid"};
 }
 
 bool erodes_by_damage(const Material& m) {

@@ -38,6 +38,23 @@ std::optional<Problem> problem_of_column(const char* key, const std::vector<doub
   return {};
 }
 
+/// Of what crushes.
+std::optional<Problem> problem_of_crushing(const EquationOfStateSettings& eos) {
+  const std::size_t given = eos.unloading_modulus.size(), points = eos.volume_strain.size();
+  if (given == 0) return {};
+  if (given != 1 && given != points) {
+    return Problem{"unloading_modulus",
+                   fmt::format("expected one number, or as many as volume_strain has, {}, got {}", points, given)};
+  }
+  if (const double first = *std::ranges::max_element(eos.volume_strain); first != 0) {
+    return Problem{"volume_strain",
+                   fmt::format("expected a curve that begins at 0 beside unloading_modulus, which is also that of "
+                               "tension, got {:.6g}",
+                               first)};
+  }
+  return {};
+}
+
 /// The pieces that have the state at rest: one, or two that meet there.
 std::vector<TablePiece> pieces_at_rest(const EquationOfStateSettings& eos) {
   const std::vector<TablePiece> pieces = pieces_of_table(eos);
@@ -52,20 +69,23 @@ std::vector<TablePiece> pieces_at_rest(const EquationOfStateSettings& eos) {
 
 std::vector<TablePiece> pieces_of_table(const EquationOfStateSettings& eos) {
   struct TablePoint {
-    double strain, cold, thermal;
+    double strain, cold, thermal, unloading;
   };
   std::vector<TablePoint> points;
   for (std::size_t k = 0; k < eos.volume_strain.size(); ++k) {
     const double thermal = eos.energy_factor.empty() ? 0.0 : eos.energy_factor[k];
-    points.push_back({0.0 - eos.volume_strain[k], eos.pressure[k], thermal});
+    const std::vector<double>& given = eos.unloading_modulus;
+    const double unloading = given.empty() ? 0.0 : given.size() == 1 ? given.front() : given[k];
+    points.push_back({0.0 - eos.volume_strain[k], eos.pressure[k], thermal, unloading});
   }
   std::ranges::sort(points, {}, &TablePoint::strain);
   std::vector<TablePiece> pieces;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     const TablePoint &from = points[k], &to = points[k + 1];
     const double length = to.strain - from.strain;
-    pieces.push_back(
-        {from.strain, from.cold, (to.cold - from.cold) / length, from.thermal, (to.thermal - from.thermal) / length});
+    const auto rise = [length](double begin, double end) { return (end - begin) / length; };
+    pieces.push_back({from.strain, from.cold, rise(from.cold, to.cold), from.thermal, rise(from.thermal, to.thermal),
+                      from.unloading, rise(from.unloading, to.unloading)});
   }
   return pieces;
 }
@@ -78,6 +98,7 @@ std::optional<Problem> problem_of_table(const EquationOfStateSettings& eos) {
   if (!eos.energy_factor.empty()) {
     if (const auto problem = problem_of_column("energy_factor", eos.energy_factor, points)) return problem;
   }
+  if (const auto problem = problem_of_crushing(eos)) return problem;
   const std::vector<TablePiece> at_rest = pieces_at_rest(eos);
   const TablePiece& piece = at_rest.front();
   const double pressure = piece.cold - piece.cold_rise * piece.strain;
@@ -98,7 +119,9 @@ std::optional<Problem> problem_of_table(const EquationOfStateSettings& eos) {
 double bulk_modulus_of_table(const EquationOfStateSettings& eos) {
   if (problem_of_table(eos)) return 0;
   double largest = 0;
-  for (const TablePiece& piece : pieces_at_rest(eos)) largest = std::max(largest, piece.cold_rise);
+  for (const TablePiece& piece : pieces_at_rest(eos)) {
+    largest = std::max({largest, piece.cold_rise, piece.unloading});
+  }
   return largest;
 }
 

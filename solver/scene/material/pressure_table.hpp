@@ -7,11 +7,13 @@
 
 namespace pinball {
 
-/// Of a tabulated equation of state: A and B over ln(1 + mu), straight from where it begins.
+/// Of a tabulated equation of state: A, B and K over the strain of its volume_measure, here ln(1 + mu), straight from
+/// where it begins.
 struct TablePiece {
-  double strain;                 ///< ln(1 + mu) at its beginning [-]
-  double cold, cold_rise;        ///< A there, dA/d ln(1 + mu) [stress]
-  double thermal, thermal_rise;  ///< B there, dB/d ln(1 + mu) [-]
+  double strain;                     ///< ln(1 + mu) at its beginning [-]
+  double cold, cold_rise;            ///< A there, dA/d ln(1 + mu) [stress]
+  double thermal, thermal_rise;      ///< B there, dB/d ln(1 + mu) [-]
+  double unloading, unloading_rise;  ///< K there, dK/d ln(1 + mu), of what crushes [stress]
 };
 
 /// By rising ln(1 + mu). eos: without a problem.

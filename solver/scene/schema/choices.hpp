@@ -37,6 +37,9 @@ constexpr auto choices(Of<EquationOfStateForm>) {
                     Choice{"polynomial", EquationOfStateForm::polynomial},
                     Choice{"tabulated", EquationOfStateForm::tabulated}};
 }
+constexpr auto choices(Of<VolumeMeasure>) {
+  return std::array{Choice{"logarithmic", VolumeMeasure::logarithmic}, Choice{"density", VolumeMeasure::density}};
+}
 constexpr auto choices(Of<MassScaling>) {
   return std::array{Choice{"small", MassScaling::small}, Choice{"all", MassScaling::all}};
 }

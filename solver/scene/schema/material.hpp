@@ -38,8 +38,8 @@ constexpr void describe(Of<OneYieldCurve>, Visit&& visit) {
 
 /// The tables that a material may have in it.
 using TablesOfMaterial =
-    Types<PowerHardeningSettings, JohnsonCookSettings, JohnsonHolmquistSettings, MooneyRivlinSettings,
-          OrthotropicSettings, FluidSettings, EquationOfStateSettings, ErosionSettings>;
+    Types<PowerHardeningSettings, JohnsonCookSettings, JohnsonHolmquistSettings, DruckerPragerSettings,
+          MooneyRivlinSettings, OrthotropicSettings, FluidSettings, EquationOfStateSettings, ErosionSettings>;
 template <class Part>
 requires is_one_of<Part, TablesOfMaterial>
 struct IsInnerTable<Part> : std::true_type {
@@ -147,6 +147,22 @@ constexpr void describe(Of<JohnsonHolmquistSettings>, Visit&& visit) {
             "beta: part of the elastic energy set free by damage that presses fragments apart",
             {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}});
   visit(Key{"erodes", &T::erodes, "whether an element whose damage reaches 1 is eroded"});
+}
+
+template <class Visit>
+constexpr void describe(Of<DruckerPragerSettings>, Visit&& visit) {
+  using T = DruckerPragerSettings;
+  visit(Key{"constant", &T::constant, "a0", {.unit = "M^2/(L^2 T^4)", .bound = not_negative}});
+  visit(Key{"linear", &T::linear, "a1", {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{"quadratic", &T::quadratic, "a2; one of the three > 0", {.unit = "-", .bound = not_negative}});
+  visit(Key{"largest",
+            &T::largest,
+            "which s:s/2 never exceeds",
+            {.unit = "M^2/(L^2 T^4)", .bound = positive, .unset = Unset::infinite, .otherwise = "infinite"}});
+  visit(Key{"tension_limit",
+            &T::tension_limit,
+            "where the mean stress reaches this there is no strength",
+            {.unit = "M/(L T^2)", .bound = not_negative, .unset = Unset::infinite, .otherwise = "infinite"}});
 }
 
 template <class Visit>
@@ -328,6 +344,14 @@ constexpr void describe(Of<Material>, Visit&& visit) {
       &T::johnson_holmquist,
       "table (below), in the place of `yield_stress` and the laws above: ceramics, glass and rock, "
       "whose strength grows with the pressure; `bulk_modulus` is its K_1",
+      {.otherwise =
+           "none"}}.only_where(plastic));
+  where_it_deforms(Key{
+      "drucker_prager",
+      &T::drucker_prager,
+      "table (below), in the place of `yield_stress` and the laws above: soils, foams and concrete, whose strength "
+      "grows "
+      "with the pressure",
       {.otherwise =
            "none"}}.only_where(plastic));
   visit(Key{

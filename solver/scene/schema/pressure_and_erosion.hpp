@@ -9,6 +9,7 @@ namespace pinball::schema {
 template <class Visit>
 constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
   using T = EquationOfStateSettings;
+  const auto curve = [](const T& eos) { return eos.form != EquationOfStateForm::mie_grueneisen; };
   const auto shock = [](const T& eos) { return eos.form == EquationOfStateForm::mie_grueneisen; };
   const auto polynomial = [](const T& eos) { return eos.form == EquationOfStateForm::polynomial; };
   const auto tabulated = [](const T& eos) { return eos.form == EquationOfStateForm::tabulated; };
@@ -31,7 +32,7 @@ constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
             .only_where(polynomial, "but with form = \"polynomial\""));
   visit(Key{"volume_strain",
             &T::volume_strain,
-            "ln(V/V_0) of 2 to 16 points, rising or falling; beyond the ends the last pieces go on",
+            "of 2 to 16 points, rising or falling, below 0 in compression; beyond the ends the last pieces go on",
             {.unit = "-", .need = Need::required}}
             .only_where(tabulated, "but with form = \"tabulated\""));
   visit(Key{"pressure",
@@ -45,6 +46,21 @@ constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
             &T::tension_limit,
             "the pressure is never below minus this; 0: no limit",
             {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{"bears_tension", &T::bears_tension, "`false`: the pressure is never below 0"});
+  visit(Key{"volume_measure", &T::volume_measure,
+            "what `volume_strain` is: `\"logarithmic\"`, ln(V/V_0); `\"density\"`, 1 - rho/rho_0"}
+            .only_where(tabulated, "but with form = \"tabulated\""));
+  visit(Key{"unloading_modulus",
+            &T::unloading_modulus,
+            "`[K]` of what crushes, in tension, too, or one for each point: K is straight between them; none: it goes "
+            "back as it came",
+            {.unit = "M/(L T^2)", .otherwise = "none"}}
+            .only_where(curve, "but with form = \"polynomial\" or \"tabulated\""));
+  visit(Key{"full_compaction",
+            &T::full_compaction,
+            "beyond it what crushes goes back as it came: a `volume_strain` without its sign, or mu of a polynomial",
+            {.unit = "-", .bound = positive, .unset = Unset::infinite, .otherwise = "infinite"}}
+            .only_where([](const T& eos) { return !eos.unloading_modulus.empty(); }, "without unloading_modulus"));
 }
 
 template <class Visit>

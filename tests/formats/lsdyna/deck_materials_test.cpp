@@ -257,7 +257,7 @@ TEST_F(DeckMaterials, ReadsJohnsonAndCookWithItsEquationOfState) {
   EXPECT_EQ(m.shear_modulus, 77500);
   EXPECT_EQ(m.strain_rate, StrainRate::plastic);
   const EquationOfStateSettings eos{
-      EquationOfStateForm::mie_grueneisen, 4.569e6, {1.49, 0.1, 0.2}, 2.17, 0.46, {}, {}, {}, {}, 0};
+      EquationOfStateForm::mie_grueneisen, 4.569e6, {1.49, 0.1, 0.2}, 2.17, 0.46, {}, {}, {}, {}, 0, true, {}, {}};
   EXPECT_EQ(*m.equation_of_state, eos);
   EXPECT_NEAR(m.bulk_modulus, 7.83e-9 * 4.569e6 * 4.569e6, 1e-6);
   EXPECT_THAT(error(steel(grueneisen, "0.,0.,0.,0.")), HasSubstr("expected D1 + D2 > 0"));  // D5 alone
