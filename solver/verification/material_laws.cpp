@@ -116,6 +116,14 @@ double brittle_strength(const Material& m, double k, double speed, bool broken) 
   return 1.5 * (law.elastic_limit - law.elastic_limit_pressure) * (broken ? fragments : intact);
 }
 
+/// Pressure at the logarithmic strain -k along z of a table, on its curve, whose strains fall.
+double pressure_on_curve(const EquationOfStateSettings& eos, double k) {
+  std::size_t i = 1;
+  while (i + 1 < eos.volume_strain.size() && -k < eos.volume_strain[i]) ++i;
+  const double slope = (eos.pressure[i] - eos.pressure[i - 1]) / (eos.volume_strain[i] - eos.volume_strain[i - 1]);
+  return eos.pressure[i] + slope * (-k - eos.volume_strain[i]);
+}
+
 /// Bodies of the scene by their names, which have an element each and a material of the same name.
 class Bodies {
  public:
@@ -190,6 +198,10 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
     return compared(name, s[0] - s[2], brittle_strength(bodies.material(name), k, speed, broken), of_increments,
                     "strength of the pressure at the end");
   };
+  const std::array<double, 6> of_soil = stress_of(solver, bodies.number("soil"));
+  const Material& soil = bodies.material("soil");
+  const double crushed = pressure_on_curve(*soil.equation_of_state, k);
+  const DruckerPragerSettings& sand = *soil.drucker_prager;
   const Material &power = bodies.material("power"), &rubber = bodies.material("mooney_rivlin"),
                  &fluid = bodies.material("fluid"), &copper = bodies.material("johnson_cook");
   const PowerHardeningSettings& law = *power.power_hardening;
@@ -218,6 +230,11 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
           "F (C : E) F^T, by the compliance"),
       brittle("brittle_intact", false),
       brittle("brittle_fragments", true),
+      compare("pressure at the end [Pa], soil", -(of_soil[0] + of_soil[1] + of_soil[2]) / 3, crushed, 1e-11,
+              "its curve of compaction"),
+      compared("soil", of_soil[0] - of_soil[2],
+               std::sqrt(3 * (sand.constant + sand.linear * crushed + sand.quadratic * crushed * crushed)), 1e-11,
+               "sqrt(3 (a0 + a1 p + a2 p^2)) at that pressure"),
       row("fluid", 4 * fluid.fluid->viscosity * speed, of_increments, "2 eta D"),
   };
 }
