@@ -8,6 +8,7 @@
 #include "deck_elastic_laws.hpp"
 #include "deck_parts.hpp"
 #include "deck_plastic_laws.hpp"
+#include "deck_soil.hpp"
 #include "keyword_rules.hpp"
 
 namespace pinball {
@@ -41,6 +42,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_RIGID") return layout::rigid;
   if (kind == "MAT_JOHNSON_HOLMQUIST_CERAMICS") return layout::johnson_holmquist;
   if (kind == "MAT_NULL") return layout::null;
+  if (kind == "MAT_SOIL_AND_FOAM") return layout::soil;
   if (kind == "MAT_MOONEY-RIVLIN_RUBBER") return layout::mooney_rivlin;
   if (kind == "MAT_ORTHOTROPIC_ELASTIC") return layout::orthotropic;
   if (kind == "MAT_POWER_LAW_PLASTICITY") return layout::power_law;
@@ -136,27 +138,6 @@ void set_power_law(DeckData& data, const KeywordBlock& block, const Fields& f, C
   keys.set("power_hardening", power.value(), "k, n");
   set_rate(data, block, f, DeckRate(f, "SRC", "SRP", more.integer("VP")), keys);
   set_failure(more, "EPSF", keys);
-}
-
-GivenValue given_state_equation(const DeckStateEquation& equation, double tension_limit) {
-  const EquationOfStateSettings& settings = equation.settings;
-  InnerKeys<EquationOfStateSettings> keys;
-  if (settings.form == EquationOfStateForm::polynomial) {
-    keys.set("form", "polynomial");
-    keys.set("coefficients", settings.coefficients);
-  } else if (settings.form == EquationOfStateForm::tabulated) {
-    keys.set("form", "tabulated");
-    keys.set("volume_strain", settings.volume_strain);
-    keys.set("pressure", settings.pressure);
-    if (!settings.energy_factor.empty()) keys.set("energy_factor", settings.energy_factor);
-  } else {
-    keys.set("sound_speed", settings.sound_speed);
-    keys.set("slopes", settings.slopes);
-    keys.set("gamma", settings.gamma);
-    keys.set("gamma_slope", settings.gamma_slope);
-  }
-  if (tension_limit > 0) keys.set("tension_limit", tension_limit);
-  return keys.value();
 }
 
 /// PC, where SPALL says that it cuts off the pressure and nothing else.
@@ -385,6 +366,10 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
   }
   if (kind == "MAT_JOHNSON_HOLMQUIST_CERAMICS") {
     set_johnson_holmquist(data, f, cards, keys);
+    return;
+  }
+  if (kind == "MAT_SOIL_AND_FOAM") {
+    set_soil(data, block, f, cards, keys);
     return;
   }
   set_elasticity(f, keys);

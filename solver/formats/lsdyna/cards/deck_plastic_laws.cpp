@@ -82,4 +82,26 @@ void set_johnson_holmquist(DeckData& data, const Fields& f, Cards& cards, const 
   if (failure > 0) keys.set("erosion_strain", failure, "fs");
 }
 
+GivenValue given_state_equation(const DeckStateEquation& equation, double tension_limit) {
+  const EquationOfStateSettings& settings = equation.settings;
+  InnerKeys<EquationOfStateSettings> keys;
+  if (settings.form == EquationOfStateForm::polynomial) {
+    keys.set("form", "polynomial");
+    keys.set("coefficients", settings.coefficients);
+  } else if (settings.form == EquationOfStateForm::tabulated) {
+    keys.set("form", "tabulated");
+    keys.set("volume_strain", settings.volume_strain);
+    keys.set("pressure", settings.pressure);
+    if (!settings.energy_factor.empty()) keys.set("energy_factor", settings.energy_factor);
+    if (!settings.unloading_modulus.empty()) keys.set("unloading_modulus", settings.unloading_modulus);
+  } else {
+    keys.set("sound_speed", settings.sound_speed);
+    keys.set("slopes", settings.slopes);
+    keys.set("gamma", settings.gamma);
+    keys.set("gamma_slope", settings.gamma_slope);
+  }
+  if (tension_limit > 0) keys.set("tension_limit", tension_limit);
+  return keys.value();
+}
+
 }  // namespace pinball

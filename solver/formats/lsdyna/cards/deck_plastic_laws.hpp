@@ -14,4 +14,7 @@ void set_simplified_johnson_cook(DeckData& data, const Fields& f, Cards& cards, 
 /// *MAT_110: the same.
 void set_johnson_holmquist(DeckData& data, const Fields& f, Cards& cards, const DeckKeys<Material>& keys);
 
+/// *EOS_... as a value of a key. tension_limit: 0: none [stress].
+GivenValue given_state_equation(const DeckStateEquation& equation, double tension_limit);
+
 }  // namespace pinball

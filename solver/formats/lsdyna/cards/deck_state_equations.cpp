@@ -14,7 +14,10 @@ namespace pinball {
 namespace {
 
 bool is_grueneisen(const KeywordBlock& block) { return keyword_alias(block.name) == "EOS_GRUNEISEN"; }
-bool is_tabulated(const KeywordBlock& block) { return keyword_alias(block.name) == "EOS_TABULATED"; }
+bool is_compaction(const KeywordBlock& block) { return keyword_alias(block.name) == "EOS_TABULATED_COMPACTION"; }
+bool is_tabulated(const KeywordBlock& block) {
+  return keyword_alias(block.name) == "EOS_TABULATED" || is_compaction(block);
+}
 bool is_read(const KeywordBlock& block) {
   return is_grueneisen(block) || is_tabulated(block) || keyword_alias(block.name) == "EOS_LINEAR_POLYNOMIAL";
 }
@@ -33,8 +36,9 @@ std::vector<double> ten_of(const Fields& first, const Fields& second) {
   return all;
 }
 
-/// EV, C and T: ten places, of which those behind the last point are 0. Pressure is C + GAMA T E.
-void read_points(const DeckData& data, Cards& cards, double gamma, EquationOfStateSettings& settings) {
+/// EV, C, T and, where it crushes, K: ten places, of which those behind the last point are 0. Pressure is C + GAMA T E.
+void read_points(const DeckData& data, const KeywordBlock& block, Cards& cards, double gamma,
+                 EquationOfStateSettings& settings) {
   const Card strains = cards.require("EV1 to EV5"), more_strains = cards.next_or_blank(),
              pressures = cards.require("C1 to C5"), more_pressures = cards.next_or_blank(),
              factors = cards.next_or_blank(), more_factors = cards.next_or_blank();
@@ -48,6 +52,11 @@ void read_points(const DeckData& data, Cards& cards, double gamma, EquationOfSta
   settings.volume_strain = ten_of(ev1, ev2);
   settings.pressure = ten_of(c1, c2);
   settings.energy_factor = ten_of(t1, t2);
+  if (is_compaction(block)) {
+    const Card moduli = cards.require("K1 to K5"), more_moduli = cards.next_or_blank();
+    settings.unloading_modulus =
+        ten_of(data.fields(moduli, layout::table_moduli), data.fields(more_moduli, layout::table_moduli_more));
+  }
   const std::vector<double>& strain = settings.volume_strain;
   const bool rises = strain[1] > strain[0];
   std::size_t count = 1;
@@ -62,9 +71,10 @@ void read_points(const DeckData& data, Cards& cards, double gamma, EquationOfSta
   }
   for (std::vector<double>* values : {&settings.volume_strain, &settings.pressure, &settings.energy_factor})
     values->resize(count);
+  if (is_compaction(block)) settings.unloading_modulus.resize(count);
   const bool has_energy = std::ranges::any_of(settings.energy_factor, [](double one) { return one != 0; });
-  if (!has_energy && gamma != 0) data.report.unused(ev1.place(), "*EOS_TABULATED: GAMA", "T is 0");
-  if (has_energy && gamma == 0) data.report.unused(ev1.place(), "*EOS_TABULATED: T1 to T10", "GAMA is 0");
+  if (!has_energy && gamma != 0) data.report.unused(ev1.place(), block.star_name() + ": GAMA", "T is 0");
+  if (has_energy && gamma == 0) data.report.unused(ev1.place(), block.star_name() + ": T1 to T10", "GAMA is 0");
   if (!has_energy || gamma == 0) settings.energy_factor.clear();
   for (double& factor : settings.energy_factor) factor *= gamma;
 }
@@ -119,7 +129,7 @@ DeckStateEquation DeckData::read_state_equation(const KeywordBlock& block) const
   DeckStateEquation equation{{}, {block.star_name(), head.place}};
   EquationOfStateSettings& settings = equation.settings;
   if (is_tabulated(block)) {
-    read_points(*this, cards, f.number("GAMA"), settings);
+    read_points(*this, block, cards, f.number("GAMA"), settings);
     return equation;
   }
   const Card more = cards.next_or_blank();
@@ -158,7 +168,8 @@ std::optional<DeckStateEquation> DeckData::state_equation_of(std::int64_t materi
   report.reject(first->place,
                 fmt::format("*PART with EOSID {}, which no *EOS_... has that is read{}", first->state_equation,
                             second_of_keyword(deck, "EOS_", first->state_equation, &DeckTransform::material)),
-                "give an *EOS_GRUNEISEN, *EOS_LINEAR_POLYNOMIAL or *EOS_TABULATED", first->solids);
+                "give an *EOS_GRUNEISEN, *EOS_LINEAR_POLYNOMIAL, *EOS_TABULATED or *EOS_TABULATED_COMPACTION",
+                first->solids);
   return std::nullopt;
 }
 

@@ -58,12 +58,15 @@ const std::vector<KeywordRule>& keyword_rules() {
        in_other_units},
       {"MAT_JOHNSON_HOLMQUIST_CERAMICS", done, "MAT_110; FS >= 0: a negative one, of tension, is refused",
        in_other_units},
+      {"MAT_SOIL_AND_FOAM", done, "MAT_005: EPS and P, or LCID; PC, VCR; A0, A1 and A2 >= 0"},
       {"MAT_RIGID", done, "MAT_020: a rigid body of each part; CMO 1, 0, -1 with CON1 and CON2", in_other_units},
       {"MAT_ADD_EROSION", done, "MXPRES, MNPRES, SIGP1, SIGVM, MXEPS, EPSSH, FAILTM, DTMIN: of the material of its MID",
        in_other_units},
       {"EOS_GRUNEISEN", done, "EOS_004, of MAT_015 and MAT_009", in_other_units},
       {"EOS_LINEAR_POLYNOMIAL", done, "EOS_001, the same", in_other_units},
       {"EOS_TABULATED", done, "EOS_009, the same: its points, of which the first and the last piece go on",
+       in_other_units},
+      {"EOS_TABULATED_COMPACTION", done, "EOS_008, the same: its points, with K of unloading, and of tension",
        in_other_units},
       {"BOUNDARY_SPC_NODE", done, "also in a local system; rotations mean nothing", in_other_units},
       {"BOUNDARY_SPC_NODE_BIRTH_DEATH", done, "the same from birth to death"},
@@ -231,6 +234,8 @@ std::string keyword_alias(const std::string& name) {
       {"MAT_2", "MAT_ORTHOTROPIC_ELASTIC"},
       {"MAT_003", "MAT_PLASTIC_KINEMATIC"},
       {"MAT_3", "MAT_PLASTIC_KINEMATIC"},
+      {"MAT_005", "MAT_SOIL_AND_FOAM"},
+      {"MAT_5", "MAT_SOIL_AND_FOAM"},
       {"MAT_009", "MAT_NULL"},
       {"MAT_9", "MAT_NULL"},
       {"MAT_027", "MAT_MOONEY-RIVLIN_RUBBER"},
@@ -254,6 +259,8 @@ std::string keyword_alias(const std::string& name) {
       {"EOS_1", "EOS_LINEAR_POLYNOMIAL"},
       {"EOS_009", "EOS_TABULATED"},
       {"EOS_9", "EOS_TABULATED"},
+      {"EOS_008", "EOS_TABULATED_COMPACTION"},
+      {"EOS_8", "EOS_TABULATED_COMPACTION"},
   };
   const auto found = aliases.find(name);
   return found == aliases.end() ? name : found->second;

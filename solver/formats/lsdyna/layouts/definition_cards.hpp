@@ -181,6 +181,19 @@ inline constexpr CardLayout null{material_id,
                                  number("YM").reported("of beams and shells"),
                                  number("PR").reported("of beams and shells")};
 
+/// *MAT_005
+inline constexpr CardLayout soil{
+    material_id,  density,      number("G").always(), number("KUN").always().at_least(0),
+    number("A0"), number("A1"), number("A2"),         number("PC").from(-std::numeric_limits<double>::infinity(), 0)};
+inline constexpr CardLayout soil_options{number("VCR").from(0, 1),
+                                         number("REF").rejected("leave it 0: the mesh has no stress"), whole("LCID")};
+inline constexpr CardLayout soil_strains{number("EPS1"), number("EPS2"), number("EPS3"), number("EPS4"),
+                                         number("EPS5"), number("EPS6"), number("EPS7"), number("EPS8")};
+inline constexpr CardLayout soil_strains_more{number("EPS9"), number("EPS10")};
+inline constexpr CardLayout soil_pressures{number("P1"), number("P2"), number("P3"), number("P4"),
+                                           number("P5"), number("P6"), number("P7"), number("P8")};
+inline constexpr CardLayout soil_pressures_more{number("P9"), number("P10")};
+
 inline constexpr std::string_view of_a_test = "leave it blank, and give A and B: they are not fitted to a test";
 inline constexpr CardLayout mooney_rivlin{material_id,
                                           density,
@@ -257,5 +270,9 @@ inline constexpr CardLayout table_factors{of_table("T1"), of_table("T2"), of_tab
                                           of_table("T5")};
 inline constexpr CardLayout table_factors_more{of_table("T6"), of_table("T7"), of_table("T8"), of_table("T9"),
                                                of_table("T10")};
+inline constexpr CardLayout table_moduli{stress_of_table("K1"), stress_of_table("K2"), stress_of_table("K3"),
+                                         stress_of_table("K4"), stress_of_table("K5")};
+inline constexpr CardLayout table_moduli_more{stress_of_table("K6"), stress_of_table("K7"), stress_of_table("K8"),
+                                              stress_of_table("K9"), stress_of_table("K10")};
 
 }  // namespace pinball::layout

@@ -84,6 +84,10 @@ void add_definitions(Table& table) {
   table.push_back({"MAT_JOHNSON_HOLMQUIST_CERAMICS",
                    "",
                    {&l::johnson_holmquist, &l::johnson_holmquist_limits, &l::johnson_holmquist_damage}});
+  table.push_back({"MAT_SOIL_AND_FOAM",
+                   "",
+                   {&l::soil, &l::soil_options, &l::soil_strains, &l::soil_strains_more, &l::soil_pressures,
+                    &l::soil_pressures_more}});
   table.push_back({"MAT_JOHNSON_COOK",
                    "",
                    {&l::johnson_cook, &l::johnson_cook_strength, &l::johnson_cook_failure, &l::johnson_cook_more}});
@@ -105,6 +109,11 @@ void add_definitions(Table& table) {
                    "",
                    {&l::tabulated_state, &l::table_strains, &l::table_strains_more, &l::table_pressures,
                     &l::table_pressures_more, &l::table_factors, &l::table_factors_more}});
+  table.push_back(
+      {"EOS_TABULATED_COMPACTION",
+       "",
+       {&l::tabulated_state, &l::table_strains, &l::table_strains_more, &l::table_pressures, &l::table_pressures_more,
+        &l::table_factors, &l::table_factors_more, &l::table_moduli, &l::table_moduli_more}});
 }
 
 void add_boundaries(Table& table) {

@@ -12,6 +12,7 @@
 #include "radioss_hardening.hpp"
 #include "radioss_keys.hpp"
 #include "radioss_rubber.hpp"
+#include "radioss_soil.hpp"
 
 namespace pinball {
 
@@ -28,7 +29,7 @@ struct Beside {
 bool is_done_material(const std::string& name) {
   return name == "MAT/ELAST" || name == "MAT/RIGID" || name == "MAT/PLAS_JOHNS" || name == "MAT/HYD_JCOOK" ||
          name == "MAT/HYDPLA" || name == "MAT/PLAS_TAB" || name == "MAT/COWPER" || name == "MAT/OGDEN" ||
-         name == "MAT/JOHN_HOLM";
+         name == "MAT/JOHN_HOLM" || name == "MAT/DPRAG" || name == "MAT/DPRAG1";
 }
 
 /// VP: 2 where it is 0.
@@ -80,28 +81,6 @@ void set_failure(RadiossData& data, const RadiossBlock& block, double reference_
                        "give one rate for both");
   if (constants[3] != 0 && reference_rate == 0) law.set("reference_rate", given);
   if (constants[3] == 0) tell_without(data, rate, block, "EPSILON_DOT_0", "D4 is 0");
-}
-
-/// /EOS/GRUNEISEN, /EOS/POLYNOMIAL. tension_limit: 0: none.
-GivenValue state_equation(const RadiossBlock& block, double tension_limit) {
-  RadiossLines lines(block);
-  const DataLine first = lines.require("the constants of the equation of state"), second = lines.next_or_blank();
-  InnerKeys<EquationOfStateSettings> keys;
-  if (block.name == "EOS/GRUNEISEN") {
-    const RadiossFields a(first, block, radioss::grueneisen), b(second, block, radioss::grueneisen_energy);
-    const double gamma = b.number("GAMMA_0"), slope = b.number("a");
-    keys.set("sound_speed", a.number("C"));
-    keys.set("slopes", a.point("S1"));
-    keys.set("gamma", gamma);
-    keys.set("gamma_slope", slope == 0 ? gamma : slope);
-  } else {
-    const RadiossFields a(first, block, radioss::polynomial), b(second, block, radioss::polynomial_energy);
-    keys.set("form", "polynomial");
-    keys.set("coefficients", std::vector{a.number("C0"), a.number("C1"), a.number("C2"), a.number("C3"), b.number("C4"),
-                                         b.number("C5"), 0.0});
-  }
-  if (tension_limit > 0) keys.set("tension_limit", tension_limit);
-  return keys.value();
 }
 
 /// Y = (a + b e^n) (1 + c ln r) (1 - h^m), whatever the card that it stands on.
@@ -225,7 +204,7 @@ void set_hydrodynamic(RadiossData& data, const RadiossBlock& block, RadiossLines
                        "give it one");
     return;
   }
-  keys.set("equation_of_state", state_equation(*beside.state_equation, cutoff > -1e19 ? -cutoff : 0.0),
+  keys.set("equation_of_state", given_radioss_state(*beside.state_equation, cutoff > -1e19 ? -cutoff : 0.0),
            beside.state_equation->place.text());
   set_johnson_cook(data, l2.place, law, density, beside, keys);
 }
@@ -339,9 +318,9 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   if (beside.failure != nullptr && !johnson && !hydro)
     data.report.reject(beside.failure->place, beside.failure->title + " of a material without Johnson and Cook's law",
                        "give it one: /MAT/PLAS_JOHNS or /MAT/HYD_JCOOK");
-  if (beside.state_equation != nullptr && !hydro)
+  if (beside.state_equation != nullptr && !hydro && block.name != "MAT/DPRAG1")
     data.report.reject(beside.state_equation->place, beside.state_equation->title + " of such a material",
-                       "give /MAT/HYD_JCOOK: others have a bulk modulus");
+                       "give /MAT/HYD_JCOOK or /MAT/DPRAG1: others have a pressure");
   if (elastic) {
     const DataLine line = lines.require("E and nu");
     set_elasticity(RadiossFields(line, block, radioss::elasticity), keys);
@@ -351,6 +330,8 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   if (block.name == "MAT/PLAS_TAB") set_plas_tab(data, block, lines, keys);
   if (block.name == "MAT/COWPER") set_cowper(data, block, lines, keys);
   if (block.name == "MAT/JOHN_HOLM") set_john_holm(data, block, lines, keys);
+  if (block.name == "MAT/DPRAG") set_dprag(data, block, lines, keys);
+  if (block.name == "MAT/DPRAG1") set_dprag1(data, block, lines, beside.state_equation, keys);
   if (rubber) set_ogden(data, block, lines, keys);
 }
 

@@ -68,6 +68,10 @@ void add_materials(Table& table) {
   add(table, "MAT/JOHN_HOLM",
       {&r::density, &r::brittle_modulus, &r::brittle_strength, &r::brittle_rate, &r::brittle_limits, &r::brittle_damage,
        &r::brittle_pressure});
+  add(table, "MAT/DPRAG",
+      {&r::density, &r::elasticity, &r::soil_strength, &r::soil_function, &r::soil_limits, &r::soil_unloading});
+  add(table, "MAT/DPRAG1",
+      {&r::density, &r::elasticity, &r::soil_strength, &r::soil_polynomial, &r::soil_limits, &r::soil_unloading});
   add(table, "EOS/GRUNEISEN", {&r::grueneisen, &r::grueneisen_energy});
   add(table, "EOS/POLYNOMIAL", {&r::polynomial, &r::polynomial_energy});
   add(table, "FAIL/JOHNSON", {&r::fail_johnson, &r::fail_johnson_rate, &r::fail_johnson_points});

@@ -46,6 +46,15 @@ inline constexpr CardLayout brittle_damage{real("D1").at_least(0), real("D2").at
                                            whole("IDEL").from(0, 3), real("EPSMAX").at_least(0)};
 inline constexpr CardLayout brittle_pressure{real("K1").always(), real("K2"), real("K3"), real("BETA").from(0, 1)};
 
+inline constexpr CardLayout soil_strength{real("A0").at_least(0), real("A1").at_least(0), real("A2").at_least(0),
+                                          real("Amax").at_least(0)};
+inline constexpr CardLayout soil_function{whole("func_IDf").always(), blank(10), real("Kt").always(), real("FscaleP")};
+inline constexpr CardLayout soil_limits{real("P_min").from(-1e30, 0),
+                                        real("P_ext").rejected("leave it 0: bodies press on nothing at the start")};
+inline constexpr CardLayout soil_unloading{real("B").at_least(0), real("Mu_max").at_least(0)};
+inline constexpr CardLayout soil_polynomial{real("C0").rejected("leave it 0: bodies press on nothing at the start"),
+                                            real("C1").at_least(0), real("C2"), real("C3")};
+
 inline constexpr CardLayout tabulated_elasticity{real("E").always(), real("nu").always(),
                                                  real("Eps_p_max").rejected(no_deletion),
                                                  real("Eps_t").rejected("leave it 0: there is no damage by tension"),
