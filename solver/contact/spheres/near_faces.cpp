@@ -12,6 +12,15 @@ namespace {
 /// What two distances of one point differ by at most that were found from two faces, over the distance [-].
 constexpr double same_distance = 1e-9;
 
+/// How a point lies to a face as it is now.
+template <class S>
+NearestOnFace<double> nearest_on(const SurfaceSource<S>& source, const std::int32_t (&node)[4],
+                                 const Vec3<double>& centre) {
+  Vec3<double> x[4];
+  for (int k = 0; k < 4; ++k) x[k] = double_vector_of(source.x(node[k]));
+  return nearest_on_face(x, centre);
+}
+
 }  // namespace
 
 template <class S>
@@ -67,6 +76,22 @@ bool NearFaces<S>::is_nearest_of_body(const Candidate& candidate) const {
   });
 }
 
+/// Whether some face around the rim of a candidate comes nearer, also one that is too thin, or too far off, to be a
+/// candidate. The side of a rim on which a point lies says nothing then: it may be outside, over that face.
+template <class S>
+bool NearFaces<S>::is_passed(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
+                             const Candidate& candidate, const Vec3<double>& centre) const {
+  for (const int corner : candidate.at.rim) {
+    if (corner < 0) return false;
+    for (const std::int32_t s : surface.around(surface.slaves_of(candidate.segment)[corner])) {
+      if (s == candidate.segment || !surface.active_segment(s)) continue;
+      const double distance = nearest_on(source, surface.segments()[s].node, centre).distance;
+      if (distance < (1 - same_distance) * candidate.at.distance) return true;
+    }
+  }
+  return false;
+}
+
 template <class S>
 const std::vector<FaceTouch>& NearFaces<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
                                                  const SphereSurface<S>& spheres, const SphereLists<S>& lists,
@@ -74,12 +99,14 @@ const std::vector<FaceTouch>& NearFaces<S>::find(const SurfaceSource<S>& source,
   collect(source, surface, spheres, lists, number);
   touches_.clear();
   const double radius = spheres.spheres()[number].radius;
+  const Vec3<double> centre = double_vector_of(source.x(spheres.spheres()[number].node));
   for (const Candidate& candidate : candidates_) {
     if (!is_least(surface, candidate)) continue;
     const Outward outward = outward_at(source, surface, candidate.segment, candidate.at.rim);
     const double along = dot(candidate.at.away, outward.normal);
     const bool behind = along < 0;
     if (behind && !(outward.closed && is_nearest_of_body(candidate))) continue;
+    if (behind && is_passed(source, surface, candidate, centre)) continue;
     FaceTouch touch{};
     touch.segment = candidate.segment;
     std::copy(std::begin(candidate.at.weight), std::end(candidate.at.weight), touch.weight);

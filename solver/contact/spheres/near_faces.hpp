@@ -39,6 +39,8 @@ class NearFaces {
                const SphereLists<S>& lists, std::int64_t number);
   bool is_least(const SegmentSurface<S>& surface, const Candidate& candidate) const;
   bool is_nearest_of_body(const Candidate& candidate) const;
+  bool is_passed(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const Candidate& candidate,
+                 const Vec3<double>& centre) const;
 
   std::vector<Candidate> candidates_;
   std::vector<FaceTouch> touches_;

@@ -135,6 +135,25 @@ Shape turned(double about_x, double about_y) {
   };
 }
 
+/// Faces of the rim of a plate look far along it, where its flat sides do not look as far up.
+TEST(SpheresOnFaces, PassOverPlatesOfFlatElementsThatTheyDoNotTouch) {
+  for (const Shape& turn : {turned(0, 0), turned(0.4, -0.7)}) {
+    for (const double height : {0.11, 0.2, 0.3, 0.6, 0.9}) {
+      for (const Vector& from : {Vector{-6, 0, height}, {-6, 4.9, height}, {-6, -6.1, height}}) {
+        SphereAndBlock scene(
+            {5, 5, 1},
+            [&](const Vector& p) {
+              return turn({2 * p[0], 2 * p[1], 0.5 * p[2]});
+            },
+            0.1);
+        const Vector moving = turn(from[1] < -6 ? Vector{0.7, 0.7, 0} : Vector{1, 0, 0});
+        scene.run(turn(from), moving, 0.1, 130, [&] { ASSERT_EQ(scene.result.pairs, 0) << height; });
+        EXPECT_NEAR(dot(scene.velocity.back(), moving), dot(moving, moving), 1e-12) << height;
+      }
+    }
+  }
+}
+
 /// Without damping it leaves as fast as it came, straight or aslant, wherever it meets the floor, and keeps its
 /// velocity along it. The fast ones go in with their centres: deeper than their radius.
 TEST(SpheresOnFaces, AreThrownBackByFloorsWhereverTheyMeetThem) {
