@@ -122,6 +122,25 @@ void DeviceRun<S>::bring_nodes() {
   nodes.force.reset(nodes.force.size());
 }
 
+template <class S>
+void DeviceRun<S>::take_velocities() {
+  const std::size_t numbers = model_.nodes.velocity.size();
+  std::vector<S> position(numbers), velocity(numbers), force(numbers);
+  step_->read_nodes(position.data(), velocity.data(), force.data());
+  step_->write_nodes(position.data(), model_.nodes.velocity.data(), force.data());
+  common_->equal_motion();
+}
+
+template <class S>
+const S* DeviceRun<S>::forces(std::vector<S>& memory) {
+  common_->give(NodeNumbers::none);
+  const std::size_t numbers = model_.nodes.force.size();
+  std::vector<S> position(numbers), velocity(numbers);
+  memory.resize(numbers);
+  step_->read_nodes(position.data(), velocity.data(), memory.data());
+  return memory.data();
+}
+
 /// What output sums up where the state lies is summed up by rank 0, which has the others' part of it for that.
 template <class S>
 void DeviceRun<S>::show_whole_state() {

@@ -60,6 +60,8 @@ class DeviceRun final : public StepSpace<S> {
   void show_watched(std::span<const std::int32_t> nodes, std::span<const std::int64_t> slots) override;
 
   void bring_nodes() override;
+  void take_velocities() override;
+  const S* forces(std::vector<S>& memory) override;
   void bring_back() override;
   void bring_back_resting() override;
   void host_has_changed() override {

@@ -74,6 +74,13 @@ class StepSpace {
   /// Of several ranks: motion and forces of all nodes go to all, in the middle of a step.
   virtual void bring_nodes() = 0;
 
+  // ---- Of one process, in a step that began with what a host has changed ----
+
+  /// Velocities of the model are newer, of all nodes.
+  virtual void take_velocities() = 0;
+  /// Forces of all nodes, in records of four; memory: that they may be put into.
+  virtual const S* forces(std::vector<S>& memory) = 0;
+
   // ---- What output asks for, without the whole state ----
 
   /// Nodes for sums; of several ranks, those of all are here then.

@@ -94,7 +94,7 @@ std::vector<std::int64_t> Probes<S>::slots(const Model<S>& model) const {
 }
 
 template <class S>
-void Probes<S>::add_values(const Model<S>& model, const Watched& w, const TimeAhead& time_ahead,
+void Probes<S>::add_values(const Model<S>& model, const Watched& w, const WayAhead& way_ahead,
                            std::vector<double>& values) const {
   double stress[6] = {}, plastic_strain = 0;
   std::int32_t node = 0;
@@ -115,9 +115,10 @@ void Probes<S>::add_values(const Model<S>& model, const Watched& w, const TimeAh
       values.push_back(plastic_strain);
     } else {
       const S *x = model.nodes.position_of(node), *v = model.nodes.velocity_of(node);
+      const Point ahead = way_ahead(node);
       for (std::size_t k = 0; k < 3; ++k) {
         const double velocity = v[k];
-        const double position = x[k] - time_ahead(node) * velocity;
+        const double position = x[k] - ahead[k];
         values.push_back(quantity == "velocity" ? velocity : quantity == "position" ? position : position - w.start[k]);
       }
     }
@@ -125,20 +126,20 @@ void Probes<S>::add_values(const Model<S>& model, const Watched& w, const TimeAh
 }
 
 template <class S>
-std::vector<double> Probes<S>::values(const Model<S>& model, const TimeAhead& time_ahead) const {
+std::vector<double> Probes<S>::values(const Model<S>& model, const WayAhead& way_ahead) const {
   std::vector<double> values;
-  for (const Watched& w : watched_) add_values(model, w, time_ahead, values);
+  for (const Watched& w : watched_) add_values(model, w, way_ahead, values);
   return values;
 }
 
 template <class S>
-std::vector<ProbeResult> Probes<S>::results(const Model<S>& model, const TimeAhead& time_ahead) const {
+std::vector<ProbeResult> Probes<S>::results(const Model<S>& model, const WayAhead& way_ahead) const {
   std::vector<ProbeResult> results;
   for (const Watched& w : watched_) {
     ProbeResult result{w.probe.name, w.body, static_cast<std::int64_t>(w.number), w.probe.kind == ProbeKind::element,
                        w.start,      {}};
     std::vector<double> values;
-    add_values(model, w, time_ahead, values);
+    add_values(model, w, way_ahead, values);
     for (const std::string& quantity : w.probe.quantities) {
       for (const std::string& column : columns_of(quantity)) {
         result.values.push_back({column, values[result.values.size()]});

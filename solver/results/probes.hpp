@@ -22,10 +22,10 @@ class Probes {
   /// What they read: nodes of the store and slots.
   std::vector<std::int32_t> nodes(const Model<S>& model) const;
   std::vector<std::int64_t> slots(const Model<S>& model) const;
-  /// How far the position of a node of the store is ahead of the stresses [time].
-  using TimeAhead = std::function<double(std::int32_t)>;
-  std::vector<double> values(const Model<S>& model, const TimeAhead& time_ahead) const;
-  std::vector<ProbeResult> results(const Model<S>& model, const TimeAhead& time_ahead) const;
+  /// How far the position of a node of the store is ahead of the stresses [length].
+  using WayAhead = std::function<Point(std::int32_t)>;
+  std::vector<double> values(const Model<S>& model, const WayAhead& way_ahead) const;
+  std::vector<ProbeResult> results(const Model<S>& model, const WayAhead& way_ahead) const;
 
  private:
   struct Watched {
@@ -34,7 +34,7 @@ class Probes {
     std::string body;
     Point start{};  ///< of the node, or of the centre of the element [length]
   };
-  void add_values(const Model<S>& model, const Watched& watched, const TimeAhead& time_ahead,
+  void add_values(const Model<S>& model, const Watched& watched, const WayAhead& way_ahead,
                   std::vector<double>& values) const;
 
   std::vector<Watched> watched_;

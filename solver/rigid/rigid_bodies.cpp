@@ -244,9 +244,8 @@ void RigidBodies<S>::put_ways(Model<S>& model, double dt) const {
     for_each<Space>("ways of nodes of a rigid body", std::ssize(body.common), [&](std::int64_t i) {
       const double* const arm = record(body.arm.data(), body.common[i]);
       const Point r = times(to, arm), way = minus(r, times(from, arm));
-      const Point v = velocity_at(velocity, body.change_of_spin, r);
       S* const put = record(velocities, body.nodes[body.common[i]]);
-      for (std::size_t k = 0; k < 3; ++k) put[k] = static_cast<S>(v[k] + way[k] / dt);
+      for (std::size_t k = 0; k < 3; ++k) put[k] = static_cast<S>(velocity[k] + way[k] / dt);
     });
   }
 }

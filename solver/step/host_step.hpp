@@ -45,6 +45,8 @@ class HostStep final : public StepSpace<S> {
   }
 
   void bring_nodes() override { domain_->bring_nodes(model_); }
+  void take_velocities() override {}
+  const S* forces(std::vector<S>& /*memory*/) override { return model_.nodes.force.data(); }
 
   NodeArrays<S> nodes_for_output() override {
     bring_back();

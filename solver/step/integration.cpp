@@ -78,21 +78,7 @@ MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLen
   return sum_of_spans(spans, due, [&](std::int64_t span) { return of_span[span]; });
 }
 
-template <class S>
-double kinetic_energy(const Model<S>& model) {
-  double twice = 0;
-  for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double v = model.nodes.velocity[4 * n + k];
-      twice += model.node_mass[n] * v * v;
-    }
-  }
-  return 0.5 * twice;
-}
-
 template MotionEnergy integrate_nodes(Model<double>&, const DueSpans&, const StepLengths&, const Subdomain<double>*);
 template MotionEnergy integrate_nodes(Model<float>&, const DueSpans&, const StepLengths&, const Subdomain<float>*);
-template double kinetic_energy(const Model<double>&);
-template double kinetic_energy(const Model<float>&);
 
 }  // namespace pinball

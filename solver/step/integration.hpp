@@ -14,8 +14,4 @@ template <class S>
 MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLengths& step,
                              const Subdomain<S>* domain = nullptr);
 
-/// Of all nodes, with the velocities as they are [energy].
-template <class S>
-double kinetic_energy(const Model<S>& model);
-
 }  // namespace pinball

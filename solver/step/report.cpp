@@ -110,10 +110,10 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
   parallel_for("nodes of a snapshot", RangePolicy<>{0, std::ssize(s.position)}, [&](std::int64_t n) {
     const std::int32_t node = model.node_of_scene_node[n];
     const S *const x = model.nodes.position_of(node), *const v = model.nodes.velocity_of(node);
-    const double ahead = solver.time_ahead(node);  // of the stresses: back to their time
+    const Point ahead = solver.way_ahead(node);  // of the stresses: back to their time
     for (int k = 0; k < 3; ++k) {
       s.velocity[n][k] = v[k];
-      s.position[n][k] = x[k] - ahead * s.velocity[n][k];
+      s.position[n][k] = x[k] - ahead[k];
     }
   });
   put_rigid_positions(solver, s.position);

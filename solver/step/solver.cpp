@@ -105,7 +105,7 @@ std::unique_ptr<StepSpace<S>> Solver<S>::make_space() {
 
 template <class S>
 void Solver<S>::make_cycle(bool last) {
-  if (kinetic_before_change_) take_changed_velocities();
+  if (changed_velocities_.any() && clock_.steps() == 0) take_first_velocities();
   const bool first = clock_.steps() == 0;
   const std::int32_t cycle_steps = first ? 1 : schedule_.cycle_steps();
   for (std::int32_t step = 1; step < cycle_steps; ++step) make_step({step, false, false});
@@ -159,9 +159,11 @@ InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
       put();
       space_->take(NodeNumbers::motion);
     };
+    if (changed_velocities_.any()) changed_velocities_.exchange(model_);
     of_rigid_bodies([this] { rigid_.put_ways(model_, clock_.dt()); });
     const InternalForceResult<S> result = space_->update_elements(due, step, more_forces);
     of_rigid_bodies([this] { rigid_.put_velocities(model_); });
+    if (changed_velocities_.any()) begin_change_of_velocities();
     return result;
   });
 }
@@ -187,7 +189,9 @@ template <class S>
 ContactWork Solver<S>::contact_before_constraints(const Due& due, const InternalForceResult<S>& element) {
   rigid_.begin_step(clock_.time(), clock_.dt());
   const ComingStep coming = contact_.acts_on_velocities() ? coming_step(due, element) : ComingStep();
-  return contact_.before_constraints(model_, clock_.time(), clock_.dt(), coming, timers_, counts_);
+  const ContactWork work = contact_.before_constraints(model_, clock_.time(), clock_.dt(), coming, timers_, counts_);
+  end_change_of_velocities();
+  return work;
 }
 
 /// What may touch in the coming step is looked for before its length is known, and before motions change velocities.

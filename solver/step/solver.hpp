@@ -22,6 +22,7 @@
 #include <solver/results/timers.hpp>
 #include <solver/rigid/rigid_bodies.hpp>
 
+#include "changed_velocities.hpp"
 #include "contact_stage.hpp"
 #include "energy/body_energies.hpp"
 #include "energy_ledger.hpp"
@@ -81,8 +82,8 @@ class Solver {
   const Model<S>& layout() const { return model_; }
   /// To change it between steps: the next step works all elements, also those at rest.
   Model<S>& change_model();
-  /// To change velocities before the next step. What that adds to the kinetic energy is work from outside; before the
-  /// first step it is part of what the run begins with. Throws InputError for a scene with subcycling, in which nodes
+  /// To change velocities at the time of the next step's forces, as impulses do, whose work comes from outside; before
+  /// the first step they are what the run begins with. Throws InputError for a scene with subcycling, in which nodes
   /// have several velocities.
   Array<S>& change_velocities();
   /// Forces that a host adds in every step (BoundaryConditions). Throws InputError where the program has none of them.
@@ -91,8 +92,8 @@ class Solver {
   double time() const { return clock_.time(); }
   double force_time() const { return clock_.force_time(); }
   double dt() const { return clock_.dt(); }
-  /// How far the position of a node of the store is ahead of the forces: its own step [time].
-  double time_ahead(std::int32_t node) const { return schedule_.steps_ahead(node) * clock_.dt(); }
+  /// How far the position of a node of the store is ahead of the forces: the way of its own last step [length].
+  Point way_ahead(std::int32_t node) const;
   std::int64_t steps() const { return clock_.steps(); }
   const Energies& energies() const { return ledger_.energies(); }
   double balance_error() const { return ledger_.balance_error(); }
@@ -153,7 +154,10 @@ class Solver {
   void choose_common_nodes();
   void advance(bool last);
   void make_cycle(bool last);
-  void take_changed_velocities();
+  void take_first_velocities();
+  void take_velocities_of_host();
+  void begin_change_of_velocities();
+  void end_change_of_velocities();
   void make_step(const Due& due);
   std::unique_ptr<StepSpace<S>> make_space();
 
@@ -205,7 +209,7 @@ class Solver {
   std::vector<std::string> near_nodes_;
   std::string unstable_hourglass_, many_steps_;
   double sound_swallowing_ = 0;
-  std::optional<double> kinetic_before_change_;  ///< velocities may have been changed since [energy]
+  ChangedVelocities<S> changed_velocities_;
 };
 
 }  // namespace pinball

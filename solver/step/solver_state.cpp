@@ -23,27 +23,53 @@ Array<S>& Solver<S>::change_velocities() {
   if (subcycling() != nullptr) {
     throw InputError("velocities: expected time.subcycling = false, with it they cannot be changed");
   }
-  if (!kinetic_before_change_) {
-    kinetic_before_change_ = kinetic_energy(model());
-    if (tied_.any()) tied_.keep_velocities(change_model());
+  Model<S>& model = change_model();
+  if (!changed_velocities_.any()) {
+    changed_velocities_.keep(model);
+    if (tied_.any()) tied_.keep_velocities(model);
   }
-  return change_model().nodes.velocity;
+  return model.nodes.velocity;
 }
 
+/// Before the first step they are those that the run begins with.
 template <class S>
-void Solver<S>::take_changed_velocities() {
+void Solver<S>::take_first_velocities() {
+  changed_velocities_.forget();
+  take_velocities_of_host();
+  initial_momentum_ = momentum();
+}
+
+/// Of nodes that go with others: rigid bodies, and faces that nodes are tied to.
+template <class S>
+void Solver<S>::take_velocities_of_host() {
   if (rigid_.any()) rigid_.take_velocities(model_);
   if (tied_.any()) tied_.take_velocities(model_);
-  const double added = kinetic_energy(model_) - *kinetic_before_change_;
-  kinetic_before_change_.reset();
   schedule_.forget_resting();
   contact_.forget_lists();
   if (contact() != nullptr) clock_.limit_by_impact_speed(longest_contact_step(model_));
-  if (clock_.steps() > 0) {
-    boundary_.add_work(added);
-  } else {
-    initial_momentum_ = momentum();
-  }
+}
+
+template <class S>
+void Solver<S>::begin_change_of_velocities() {
+  changed_velocities_.exchange(model_);
+  const double beside = rigid_.kinetic_beside({});
+  take_velocities_of_host();
+  boundary_.add_work(changed_velocities_.begin(model_) + rigid_.kinetic_beside({}) - beside);
+  space_->take_velocities();
+}
+
+template <class S>
+void Solver<S>::end_change_of_velocities() {
+  if (!changed_velocities_.any()) return;
+  std::vector<S> memory;
+  boundary_.add_work(changed_velocities_.end(space_->forces(memory), clock_.dt()));
+}
+
+template <class S>
+Point Solver<S>::way_ahead(std::int32_t node) const {
+  const double time = schedule_.steps_ahead(node) * clock_.dt();
+  const S* const v = changed_velocities_.of_last_step(model_, node);
+  return {time * v[0], time * v[1], time * v[2]};
 }
 
 template <class S>
@@ -62,12 +88,12 @@ std::vector<BodyShare> Solver<S>::body_shares() const {
 template <class S>
 std::vector<double> Solver<S>::probe_values() const {
   space_->show_watched(probes_.nodes(model_), probes_.slots(model_));
-  return probes_.values(model_, [this](std::int32_t node) { return time_ahead(node); });
+  return probes_.values(model_, [this](std::int32_t node) { return way_ahead(node); });
 }
 
 template <class S>
 std::vector<ProbeResult> Solver<S>::probe_results() const {
-  return probes_.results(model(), [this](std::int32_t node) { return time_ahead(node); });
+  return probes_.results(model(), [this](std::int32_t node) { return way_ahead(node); });
 }
 
 template <class S>
@@ -82,7 +108,7 @@ template <class S>
 std::size_t Solver<S>::bytes() const {
   return model_.bytes() + internal_forces_.bytes() + schedule_.bytes() + contact_.bytes() + symmetry_walls_.bytes() +
          boundary_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() + space_->bytes() +
-         (domain_ ? domain_->bytes() : 0);
+         changed_velocities_.bytes() + (domain_ ? domain_->bytes() : 0);
 }
 
 template <class S>
@@ -108,7 +134,8 @@ void Solver<S>::persist(StateArchive& archive) {
   inside_out_.persist(archive);
   counts_.persist(archive);
   timers_.persist(archive);
-  archive(initial_momentum_, kinetic_before_change_);
+  changed_velocities_.persist(archive, model_);
+  archive(initial_momentum_);
   if (!archive.reads()) return;
   check_places(archive);
   choose_common_nodes();
@@ -137,8 +164,14 @@ template Model<double>& Solver<double>::change_model();
 template Model<float>& Solver<float>::change_model();
 template Array<double>& Solver<double>::change_velocities();
 template Array<float>& Solver<float>::change_velocities();
-template void Solver<double>::take_changed_velocities();
-template void Solver<float>::take_changed_velocities();
+template void Solver<double>::take_first_velocities();
+template void Solver<double>::begin_change_of_velocities();
+template void Solver<double>::end_change_of_velocities();
+template void Solver<float>::take_first_velocities();
+template void Solver<float>::begin_change_of_velocities();
+template void Solver<float>::end_change_of_velocities();
+template Point Solver<double>::way_ahead(std::int32_t) const;
+template Point Solver<float>::way_ahead(std::int32_t) const;
 template Point Solver<double>::momentum() const;
 template Point Solver<float>::momentum() const;
 template std::vector<BodyShare> Solver<double>::body_shares() const;
