@@ -22,6 +22,7 @@ BoundaryConditions<S>::BoundaryConditions(const Model<S>& model, std::unique_ptr
   const Scene& scene = model.scene;
   for (const NodalLoad& given : scene.loads) loads_.push_back(load_of(model, given, *kernels_));
   if (scene.damping.mass > 0) damping_ = kernels_->damping(model.nodes.count, scene.damping.mass);
+  stopped_ = motions_.stopped_at_start();
   find_changes(scene);
   const bool moves = !model.prescribed.empty() || !scene.prescribed_velocities.empty();
   acts_ = !loads_.empty() || !scene.gravities.empty() || pressures_.any() || damping_ || moves || walls_.any();
@@ -61,7 +62,11 @@ template <class S>
 bool BoundaryConditions<S>::follow(Model<S>& model, const NodeArrays<S>& nodes, double time, const StepLengths& step) {
   if (!changes(time)) return false;
   set_present(model, time);
-  if (constrains_) done_ -= held_->energy_along(nodes, step);
+  if (constrains_) {
+    const double stopped = held_->energy_along(nodes, step);
+    done_ -= stopped;
+    stopped_ += stopped;
+  }
   changed_ = past(time);
   return true;
 }
@@ -75,7 +80,7 @@ void BoundaryConditions<S>::set_present(Model<S>& model, double time) {
 
 template <class S>
 void BoundaryConditions<S>::persist(StateArchive& archive, Model<S>& model) {
-  archive(done_, last_, changed_);
+  archive(done_, last_, changed_, stopped_, leap_);
   std::vector<Point> forces;
   if (!archive.reads()) forces = named_forces(model);
   archive(forces);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <solver/base/state_archive.hpp>
@@ -80,8 +81,18 @@ class BoundaryConditions {
   /// two steps after `time`, and by what moves them in these or in the step just made [length/time].
   double jump_at_start() const { return motions_.jump_at_start(); }
   double closing(double time, double dt) const {
-    return std::max(walls_.closing(), motions_.jump(time - dt, time + 2 * dt));
+    return std::max({walls_.closing(), motions_.jump(time - dt, time + 2 * dt), leap_});
   }
+  /// Kinetic energy that constraints have taken as they began, since the last call; not by forces, so that nobody else
+  /// knows of it [energy].
+  double take_stopped() { return std::exchange(stopped_, 0.0); }
+  /// After a step from `time` on: whether constraints or motions begin or end before the second step from now is over.
+  /// look_ahead() then has to see the model, so that closing() knows what they will stop or throw.
+  bool changes_soon(double time, double dt) const { return past(time + 3 * dt) != changed_; }
+  void look_ahead(const Model<S>& model, double time, double dt) {
+    leap_ = motions_.leap_of(model, held_nodes(model, time + 3 * dt), time + 3 * dt, {dt, dt});
+  }
+  void nothing_is_ahead() { leap_ = 0; }
   /// The same, of what moves nodes, as the coming step begins.
   double jump(double time, const StepLengths& step) const { return motions_.jump_now(time, step); }
   std::vector<PressureResult> pressures() const { return pressures_.results(); }
@@ -111,6 +122,8 @@ class BoundaryConditions {
 
   std::vector<double> changes_;  ///< when constraints or prescribed velocities begin or end, in order
   std::uint64_t changed_ = 0;    ///< how many of them are past
+  double stopped_ = 0;           ///< see take_stopped() [energy]
+  double leap_ = 0;              ///< change of velocities by those that come [length/time]
   std::unique_ptr<const BoundaryKernels<S>> kernels_;
   std::vector<Load> loads_;
   Array<S> host_forces_;                          ///< empty until asked for [force]

@@ -33,9 +33,10 @@ double along(const Model<S>& model, std::int32_t n, const S (&normal)[3]) {
   return sum;
 }
 
-/// Where a displacement begins its velocity is not known before there is a step.
-double starting_factor(const PrescribedVelocity& given) {
-  return given.quantity == MotionQuantity::displacement ? 0.0 : mean_factor(given, 0, {});
+/// Where the displacement of a run begins its velocity is not known before there is a step.
+double starting_factor(const PrescribedVelocity& given, double time, const StepLengths& step) {
+  const bool unknown = given.quantity == MotionQuantity::displacement && !(step.after > 0);
+  return unknown ? 0.0 : mean_factor(given, time, step);
 }
 
 bool accelerates(const PrescribedVelocity& given) { return given.quantity == MotionQuantity::acceleration; }
@@ -58,17 +59,28 @@ double factor_change(const TimeTable& table, double time, const StepLengths& ste
 
 template <class S>
 PrescribedMotions::PrescribedMotions(const Model<S>& model) : given_(model.scene.prescribed_velocities) {
-  // The directions of a node are at right angles.
-  const bool any = !model.constraints.empty() || !model.prescribed.empty();
+  jump_at_start_ = leap_of(model, {model.constraints, model.prescribed}, 0, {});
+  for (const NodeConstraint<S>& held : model.constraints) {
+    const double speed = along(model, held.node, held.normal);
+    stopped_at_start_ += 0.5 * model.node_mass[held.node] * speed * speed;
+  }
+}
+
+template <class S>
+double PrescribedMotions::leap_of(const Model<S>& model, const HeldNodes<S>& held, double time,
+                                  const StepLengths& step) const {
+  const bool any = !held.constraints.empty() || !held.prescribed.empty();
   std::vector<double> squares(any ? model.nodes.count : 0, 0.0);
   const auto take = [&squares](std::int32_t node, double change) { squares[node] += change * change; };
-  for (const NodeConstraint<S>& held : model.constraints) take(held.node, along(model, held.node, held.normal));
-  for (const NodePrescription<S>& moved : model.prescribed) {
+  for (const NodeConstraint<S>& one : held.constraints) take(one.node, along(model, one.node, one.normal));
+  for (const NodePrescription<S>& moved : held.prescribed) {
     const PrescribedVelocity& given = given_[moved.table];
     if (accelerates(given)) continue;
-    take(moved.node, moved.speed * starting_factor(given) - along(model, moved.node, moved.normal));
+    take(moved.node, moved.speed * starting_factor(given, time, step) - along(model, moved.node, moved.normal));
   }
-  for (const double square : squares) jump_at_start_ = std::max(jump_at_start_, std::sqrt(square));
+  double largest = 0;
+  for (const double square : squares) largest = std::max(largest, square);
+  return std::sqrt(largest);
 }
 
 std::vector<double> PrescribedMotions::factors(double time, const StepLengths& step) const {
@@ -83,9 +95,9 @@ double PrescribedMotions::jump(double from, double to) const {
   for (const PrescribedVelocity& given : given_) {
     if (!given.when.contains(to)) continue;
     const StepLengths step{to - from, to - from};
-    const bool goes_on = accelerates(given) || given.when.contains(from);
-    const double before = goes_on ? mean_factor(given, from, step) : 0.0;
-    largest = std::max(largest, norm(given.velocity) * std::abs(mean_factor(given, to, step) - before));
+    if (!accelerates(given) && !given.when.contains(from)) continue;
+    const double change = mean_factor(given, to, step) - mean_factor(given, from, step);
+    largest = std::max(largest, norm(given.velocity) * std::abs(change));
   }
   return largest;
 }
@@ -108,5 +120,9 @@ double PrescribedMotions::jump_now(double time, const StepLengths& step) const {
 
 template PrescribedMotions::PrescribedMotions(const Model<double>&);
 template PrescribedMotions::PrescribedMotions(const Model<float>&);
+template double PrescribedMotions::leap_of(const Model<double>&, const HeldNodes<double>&, double,
+                                           const StepLengths&) const;
+template double PrescribedMotions::leap_of(const Model<float>&, const HeldNodes<float>&, double,
+                                           const StepLengths&) const;
 
 }  // namespace pinball

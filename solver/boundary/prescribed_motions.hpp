@@ -26,15 +26,19 @@ class PrescribedMotions {
   std::vector<double> factors(double time, const StepLengths& step) const;
   /// Largest change that nodes which are moved, or held, undergo as the run begins [length/time].
   double jump_at_start() const { return jump_at_start_; }
-  /// Largest change of a velocity between two times; of a motion that begins between them, for a node that is at rest
-  /// before [length/time].
+  /// Kinetic energy that constraints take as the run begins [energy].
+  double stopped_at_start() const { return stopped_at_start_; }
+  /// Largest change that nodes undergo which these hold or move from a time on [length/time].
+  template <class S>
+  double leap_of(const Model<S>& model, const HeldNodes<S>& held, double time, const StepLengths& step) const;
+  /// Largest change of a velocity between two times, of motions that act at both [length/time].
   double jump(double from, double to) const;
   /// The same from the step just made to the coming one [length/time].
   double jump_now(double time, const StepLengths& step) const;
 
  private:
   std::vector<PrescribedVelocity> given_;
-  double jump_at_start_ = 0;
+  double jump_at_start_ = 0, stopped_at_start_ = 0;
 };
 
 }  // namespace pinball

@@ -219,8 +219,16 @@ Point element_centre(const ModelMesh& mesh, std::size_t element);
 /// Edges of the box around an element [length].
 Point element_extent(const ModelMesh& mesh, std::size_t element);
 
-/// Fills in the constraints and prescribed velocities of a time, in place of those that are there. Throws InputError
-/// for a selection without nodes.
+/// Nodes that are held, or moved as given, at a time; the directions of a node are at right angles.
+template <class S>
+struct HeldNodes {
+  std::vector<NodeConstraint<S>> constraints;
+  std::vector<NodePrescription<S>> prescribed;
+};
+/// Throws InputError for a selection without nodes.
+template <class S>
+HeldNodes<S> held_nodes(const Model<S>& model, double time);
+/// Fills in those of a time in place of those that are there.
 template <class S>
 void set_constraints(Model<S>& model, double time);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "given_directions.hpp"
 #include "model.hpp"
@@ -25,9 +26,8 @@ std::vector<GivenDirection> directions_of_store(const Model<S>& model, double ti
 }  // namespace
 
 template <class S>
-void set_constraints(Model<S>& model, double time) {
-  model.constraints.clear();
-  model.prescribed.clear();
+HeldNodes<S> held_nodes(const Model<S>& model, double time) {
+  HeldNodes<S> held;
   std::vector<GivenDirection> directions = directions_of_store(model, time);
   std::stable_sort(directions.begin(), directions.end(),
                    [](const GivenDirection& a, const GivenDirection& b) { return a.node < b.node; });
@@ -39,15 +39,25 @@ void set_constraints(Model<S>& model, double time) {
     const Point& d = of_node.all().back().direction;
     const S x = static_cast<S>(d[0]), y = static_cast<S>(d[1]), z = static_cast<S>(d[2]);
     if (given.held) {
-      model.constraints.push_back({given.node, {x, y, z}, given.table});
+      held.constraints.push_back({given.node, {x, y, z}, given.table});
     } else {
       const bool accelerates = model.scene.prescribed_velocities[given.table].quantity == MotionQuantity::acceleration;
-      model.prescribed.push_back(
+      held.prescribed.push_back(
           {given.node, {x, y, z}, static_cast<S>(of_node.all().back().speed), given.table, accelerates});
     }
   }
+  return held;
 }
 
+template <class S>
+void set_constraints(Model<S>& model, double time) {
+  HeldNodes<S> held = held_nodes(model, time);
+  model.constraints = std::move(held.constraints);
+  model.prescribed = std::move(held.prescribed);
+}
+
+template HeldNodes<double> held_nodes(const Model<double>&, double);
+template HeldNodes<float> held_nodes(const Model<float>&, double);
 template void set_constraints<double>(Model<double>&, double);
 template void set_constraints<float>(Model<float>&, double);
 

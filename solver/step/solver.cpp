@@ -339,7 +339,8 @@ void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& elem
   if (!due.all()) return;
   if (due.first) ledger_.set_drift(drift_energy(model_, initial_momentum_), rounding<S>, energy_at_rest(model_));
   ledger_.close(due.first, motion.kinetic);
-  clock_.take_change(motion.change, ledger_.in_motion());
+  clock_.take_change(motion.change + boundary_.take_stopped(), ledger_.in_motion());
+  look_ahead_of_constraints();
   watch_energies();
   guards_.check_energy(ledger_);
   guards_.check_time_step();

@@ -169,6 +169,7 @@ class Solver {
   void boundary_forces(const Due& due);
   void hold(const Due& due);
   void follow_constraints();
+  void look_ahead_of_constraints();
   void share_rigid_forces();
   ContactWork contact_after_constraints(const Due& due);
   void wall_reactions(const Due& due);

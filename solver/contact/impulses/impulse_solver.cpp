@@ -153,6 +153,20 @@ void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocit
   });
 }
 
+/// What a constraint has taken on beginning no row may count as its own: its work is on what moves.
+template <class S>
+void ImpulseSolver<S>::renew_rates_before(const SurfaceSource<S>& source) {
+  for_all("rates before of rows", rows_.size(), [&](std::int64_t i) {
+    const RowView row = rows_[i];
+    const Vec3<double> a{row.direction[0], row.direction[1], row.direction[2]};
+    Vec3<double> v{0, 0, 0};
+    for (int k = 0; k < row.nodes; ++k) v = v + row.weight[k] * double_vector_of(source.v(node_[row.node[k]]));
+    pairs_[i].rate_before = dot(a, v);
+    const Vec3<double> slid = v - pairs_[i].rate_before * a;
+    if (has_friction()) std::ranges::copy(std::array{slid.x, slid.y, slid.z}, pairs_[i].sliding_before);
+  });
+}
+
 /// What each row may still close or has to push out, and its closing velocity without impulses.
 /// What pairs have taken out is theirs to give back; but not what others have given back already.
 template <class S>
@@ -309,6 +323,7 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
     result.deepest = node_[rows_[i].node[0]];
   }
   load_nodes(source, velocity_step);
+  if (std::exchange(has_stopped_nodes_, false)) renew_rates_before(source);
   if (rigid_) {
     find_ways(source, &RigidSide::way_after);
     move_on_ways(1);

@@ -63,7 +63,11 @@ class ImpulseSolver {
   ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held,
                 const ContactPairs* pairs = nullptr);
 
-  void take_held_directions(HeldDirections held) { held_ = std::move(held); }
+  /// Nodes that come to be held have lost their velocities along these since the rows were found.
+  void take_held_directions(HeldDirections held) {
+    held_ = std::move(held);
+    has_stopped_nodes_ = true;
+  }
   /// Begins the rows of the coming step (kernels/contact_row.hpp); those of the step before are gone.
   void begin_rows();
   /// Adds the row of two things that may touch within the coming step; its nodes follow. Each pair has one row.
@@ -153,6 +157,7 @@ class ImpulseSolver {
   void move_on_ways(double sign);
   void limit_depth(const SurfaceSource<S>& source, std::size_t i, double dt);
   void load_nodes(const SurfaceSource<S>& source, double velocity_step);
+  void renew_rates_before(const SurfaceSource<S>& source);
   void set_rates(double velocity_step, double dt);
   void set_rate(std::size_t i, double velocity_step, double dt);
   void choose_active();
@@ -204,6 +209,7 @@ class ImpulseSolver {
   PairRule friction_;                  ///< of rows without a pair
   const ContactPairs* contact_pairs_;  ///< or null
   bool has_friction_ = false;
+  bool has_stopped_nodes_ = false;      ///< constraints have begun since the rows were found
   std::vector<PairOf> pair_of_row_;     ///< one per row, only where there are pairs
   ContactRows rows_;                    ///< of places in node_
   std::vector<FrictionRow> frictions_;  ///< one per row, only where there is friction
