@@ -81,5 +81,25 @@ TEST(NoAlarm, OfPublicDecks) {
       testing::ElementsAre(testing::HasSubstr("bodies Projectile and Plate meet from the start on, and no card")));
 }
 
+/// What hangs at the ground is told from what flies by it: all of its motion counts.
+TEST(NoAlarm, OfWhatHangsAtTheGround) {
+  const std::string text = R"(time.end = 2
+units = "g-mm-ms"
+contact.method = "none"
+material = [{ name = "steel", model = "elastic", density = 7.85e-3, young_modulus = 2e5, poisson_ratio = 0.3 }]
+rigid_body = [{ bodies = ["bob"], velocity = [0, 1005, 0], angular_velocity = [0, 0, 1] }]
+joint = [{ kind = "revolute", bodies = ["ground", "bob"], point = [0, 5, 5], axis = [0, 0, 1] }]
+[[body]]
+name = "bob"
+material = "steel"
+position = [1000, 0, 0]
+mesh = { type = "block", size = [10, 10, 10], elements = [1, 1, 1] }
+)";
+  Solver<double> solver(read_scene(SceneSource{"bob.toml", text, {}}));
+  while (!solver.at_end()) solver.step();
+  solver.finish();
+  EXPECT_LT(std::abs(solver.balance_error_in_motion()), 1e-3);
+}
+
 }  // namespace
 }  // namespace pinball::no_alarm_test

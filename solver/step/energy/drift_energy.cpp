@@ -30,6 +30,19 @@ class HeldSpace {
   std::vector<Point> basis_;
 };
 
+/// With the ground: those along its axis slide, all others hold a point.
+void add_held_by(const Joint& joint, HeldSpace& held) {
+  const bool slides = joint.kind == JointKind::cylindrical || joint.kind == JointKind::translational;
+  if (!slides || !joint.axis) return held.add_all();
+  for (std::size_t k = 0; k < 3; ++k) {
+    Point across{};
+    across[k] = 1;
+    const double along = (*joint.axis)[k];
+    for (std::size_t c = 0; c < 3; ++c) across[c] -= along * (*joint.axis)[c];
+    held.add(across);
+  }
+}
+
 template <class S>
 double mass_of_nodes(const Model<S>& model) {
   double mass = 0;
@@ -68,6 +81,9 @@ double drift_energy(const Model<S>& model, const Point& momentum) {
   }
   for (const RigidMotion& motion : scene.rigid_motions) {
     if (motion.direction) held.add(*motion.direction);
+  }
+  for (const Joint& joint : scene.joints) {
+    if (std::ranges::find(joint.bodies, ground) != joint.bodies.end()) add_held_by(joint, held);
   }
   const double mass = mass_of_nodes(model);
   if (!(mass > 0)) return 0;
