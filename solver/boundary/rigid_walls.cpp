@@ -62,7 +62,9 @@ std::vector<NodeBound> RigidWalls<S>::bounds(const NodeArrays<S>& nodes, std::sp
                        static_cast<std::int32_t>(w),
                        {n[0], n[1], n[2]},
                        wall_height(wall.plane, x) - after,
-                       velocity - rate});
+                       velocity - rate,
+                       std::min<double>(wall.plane.friction, infinite_friction<double>),
+                       {v[0] - rate * n[0], v[1] - rate * n[1], v[2] - rate * n[2]}});
     }
   }
   return found;

@@ -123,6 +123,38 @@ TEST(ImpulsesOfTwoNodes, RubsWithTheCoefficientOfTheSlidingVelocity) {
   }
 }
 
+/// A node on a floor that another one strikes obliquely from above. Contact knows what friction at the floor takes of
+/// the way of the first, where that slides and where it is held: after the floor has done its part nothing closes or
+/// opens, but for the compliance of rows that share a node: some ten-thousandths.
+TEST(ImpulsesOfTwoNodes, KnowTheFrictionOfAPlaneThatBoundsANode) {
+  const Vec3<double> direction = unit({2, 1, -2}), up{0, 0, 1};
+  const double speed = 4, down = 2.0 / 3, across = std::sqrt(5.0) / 3;
+  for (const double between : {0.0, 0.2}) {
+    for (const double friction : {0.0, 0.3, 1.1, 1.2, 1e30}) {
+      Nodes nodes({2.0, 3.0});
+      nodes.set_velocity(1, speed * direction);
+      ImpulseSolver<double> solver(coupled(between, between), 2, {2, {}});
+      solver.begin_rows();
+      solver.add_row(0, 1, direction, 0, 1.0);
+      solver.add_node(0, -1);
+      solver.add_node(1, 1);
+      solver.finish_rows(nodes, 1.0);
+      const std::vector<NodeBound> floor{{0, 0, {0, 0, 1}, 0, 0, friction, {0, 0, 0}}};
+      solver.solve(nodes, {1.0, 1.0}, floor);
+      const Vec3<double> force = nodes.force_of(0), along = force - force.z * up;
+      ASSERT_LT(force.z, 0);
+      const double size = std::sqrt(dot(along, along)), left = std::max(0.0, size + friction * force.z);
+      const Vec3<double> first = (left / (size * nodes.mass[0])) * along;
+      const Vec3<double> second = nodes.velocity_of(1) + (1 / nodes.mass[1]) * nodes.force_of(1);
+      EXPECT_NEAR(dot(second - first, direction), 0, 1e-3 * speed) << friction << ", between the nodes " << between;
+      if (between > 0) continue;
+      const double slides = across * std::max(0.0, across - friction * down) / nodes.mass[0];
+      const double expected = speed / (1 / nodes.mass[1] + slides);
+      EXPECT_NEAR(dot(force, direction), expected, 1e-3 * expected) << friction;
+    }
+  }
+}
+
 /// What is deep by approach leaves by a tenth of its depth in a step, and with no more energy than it has brought.
 TEST(ImpulsesOfTwoNodes, PushesADepthOutByATenthInAStep) {
   for (const double speed : {4.0, 0.5}) {

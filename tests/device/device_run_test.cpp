@@ -75,7 +75,7 @@ TEST_P(DeviceRun, TearsWedgesAndPyramidsAsTheHostDoes) {
   expect_same_run<float>(torn_shapes(Precision::float32), GetParam());
 }
 
-/// Contact asks where walls will stop nodes.
+/// Contact asks where walls will stop nodes, and how these rub there.
 TEST_P(DeviceRun, HasImpulsesOfContactBesideRigidWalls) {
   Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 1e-3}, {0, 0, -20}),
                           block("b", {2, 2, 2}, 0.1, {0.03, 0.02, 0.202}, {0, 0, -60})},
@@ -87,6 +87,12 @@ TEST_P(DeviceRun, HasImpulsesOfContactBesideRigidWalls) {
   Solver<double> host(scene);
   run(host);
   EXPECT_GT(host.boundary().walls()[0].impulse, 0);
+  expect_same_run<double>(scene, GetParam());
+  expect_same_run<float>(scene, GetParam());
+  // Side by side, so that nodes rub on the wall that touch the other block, too.
+  scene.bodies[1].position = {0.201, 0.02, 1e-3};
+  scene.bodies[1].velocity = {-60, 0, -20};
+  scene.constraints = {};
   expect_same_run<double>(scene, GetParam());
   expect_same_run<float>(scene, GetParam());
 }

@@ -145,6 +145,19 @@ TEST(Restart, WhatBeginsAndEndsAndMoves) {
   expect_same_after_restart<double>(scene, {0.2, 0.4, 0.6, 0.8, 0.95});
 }
 
+TEST(Restart, WhatRubsOnAWallAndOnABody) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 1e-3}, {0, 0, -20}),
+                          block("b", {2, 2, 2}, 0.1, {0.201, 0.02, 1e-3}, {-60, 0, -20})},
+                         4e-4);
+  scene.contact = ContactSettings();
+  scene.contact.friction = scene.contact.static_friction = 0.1;
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  scene.rigid_walls[0].friction = 0.3;
+  expect_same_after_restart<double>(scene, {0.2, 0.5, 0.8});
+  scene.contact.friction = scene.contact.static_friction = 0;
+  expect_same_after_restart<float>(scene, {0.3, 0.7});
+}
+
 TEST(Restart, SphereAtAWall) {
   Scene scene = read_scene(find_scene("sphere_wall"));
   scene.time.end *= 0.05;

@@ -21,6 +21,7 @@ struct FrictionRow {
   double impulse[3];    ///< q [mass length/time]
   double inverse_mass;  ///< G M^-1 G^T across a, from above [1/mass]
   double coefficient;   ///< mu [-]
+  bool rubs = true;     ///< whether it may; else it is solved as if there were no friction, where all others are, too
 };
 
 /// A row with its entries.

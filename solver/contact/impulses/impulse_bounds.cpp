@@ -17,6 +17,8 @@ constexpr std::int64_t first_bound = -(std::int64_t(1) << 61);
 template <class S>
 void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) {
   contacts_ = rows_.size();
+  bound_friction_.clear();
+  rubs_ = has_friction_;
   if (contacts_ == 0 || !(dt > 0)) return;
   double fastest = 0;
   for (const Pair& pair : pairs_) fastest = std::max(fastest, std::abs(pair.rate_before));
@@ -31,6 +33,11 @@ void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) 
     Pair& pair = pairs_.emplace_back();
     pair.depth = pair.seen = 0 - bound.gap;
     pair.rate_before = bound.rate;
+    bound_friction_.push_back(bound.friction);
+    if (bound.friction > 0) {
+      rubs_ = true;
+      std::copy(bound.sliding.begin(), bound.sliding.end(), pair.sliding_before);
+    }
     const std::int64_t second = first_bound - bound.wall;
     const auto is = [&](std::size_t at) { return memory_[at].first == bound.node && memory_[at].second == second; };
     const std::size_t at = names_.find(bound.node, second, is);

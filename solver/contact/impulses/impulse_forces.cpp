@@ -167,6 +167,12 @@ Vec3<double> ImpulseSolver<S>::finish_row(std::int64_t k, const StepLengths& ste
   pair.force = std::max(0.0, system_.impulse_as_added(k, iterations_.impulse(k))) / step.velocity();
   if (is_bound(i)) {
     pair.memory.force = std::exchange(pair.force, 0);
+    if (rubs_) {
+      const Vec3<double> b = iterations_.impulse(k), friction = (1 / step.velocity()) * (b - dot(a, b) * a);
+      pair.memory.friction[0] = friction.x;
+      pair.memory.friction[1] = friction.y;
+      pair.memory.friction[2] = friction.z;
+    }
     return {0, 0, 0};
   }
   pair.lost = work_of(pair.force, pair.rate_before, rate, step);

@@ -31,8 +31,8 @@ ImpulseIterations::Result ImpulseIterations::solve(const RowSystem& system, doub
   change_.renew(4 * system.places());
   results_.assign(islands.size(), {});
   const auto solve_one = [&](std::size_t i) {
-    results_[i] = system.rubs() ? IslandSolution<true>(system, *this, islands[i], velocity).solve()
-                                : IslandSolution<false>(system, *this, islands[i], velocity).solve();
+    results_[i] = islands[i].rubs ? IslandSolution<true>(system, *this, islands[i], velocity).solve()
+                                  : IslandSolution<false>(system, *this, islands[i], velocity).solve();
   };
   // Small islands by one thread each, in pieces of about as many rows; large ones by all threads, one after the other.
   const auto solve_piece = [&](std::int64_t piece) {

@@ -236,7 +236,10 @@ void ImpulseSolver<S>::choose_active() {
 /// Begins with the friction of the step before, turned into the plane across the direction of now.
 template <class S>
 void ImpulseSolver<S>::begin_friction(double velocity_step) {
-  if (!has_friction()) return;
+  if (!rubs_) {
+    frictions_.clear();
+    return;
+  }
   frictions_.resize(rows_.size());
   for_all("friction of rows", rows_.size(), [&](std::int64_t i) {
     const RowView row = rows_[i];
@@ -254,13 +257,14 @@ void ImpulseSolver<S>::begin_friction(double velocity_step) {
                         [&](const RigidEntry& entry) { friction.inverse_mass += entry.most(rigid_.side(entry.body)); });
     }
     friction.coefficient = friction_of(i);
+    friction.rubs = is_bound(i) ? friction.coefficient > 0 : has_friction();
   });
 }
 
 /// Coefficient of a row. With a decay that of the velocity in the middle of the step before.
 template <class S>
 double ImpulseSolver<S>::friction_of(std::size_t i) const {
-  if (is_bound(i)) return 0;
+  if (is_bound(i)) return bound_friction_[i - contacts_];
   const PairOf of = contact_pairs_ != nullptr ? pair_of_row_[i] : PairOf{};
   const PairRule& rule = of.pair < 0 ? friction_ : contact_pairs_->rule(of.pair);
   if (!(rule.friction_decay > 0)) return pairs_[i].memory.slides ? rule.friction : rule.static_friction;
@@ -272,7 +276,7 @@ template <class S>
 double ImpulseSolver<S>::rate_scale(std::size_t i) const {
   const Pair& pair = pairs_[i];
   const double scale = std::max({0.0, pair.rate_free + rows_.rows[i].position_rate, pair.rate_before});
-  if (!has_friction()) return scale;
+  if (!rubs_) return scale;
   const double* s = pair.sliding_before;
   return std::max(scale, std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]));
 }
@@ -289,7 +293,7 @@ void ImpulseSolver<S>::build_system(double velocity_step) {
     const ImpulseRow& row = rows_.rows[i];
     system_.row(k).scale = rate_scale(i) / system_.row(k).length;
     Vec3<double> b = row.impulse * vector_of(row.direction);
-    if (has_friction()) b = b + vector_of(frictions_[i].impulse);
+    if (rubs_) b = b + vector_of(frictions_[i].impulse);
     iterations_.set_impulse(k, b);
   });
 }
@@ -380,9 +384,9 @@ template <class S>
 std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return rows_.bytes() + system_.bytes() + iterations_.bytes() + velocity_.bytes() + row_vector_.bytes() +
-         of(frictions_) + of(slid_) + of(pairs_) + of(active_) + of(nodes_) + of(node_) + of(last_entry_) +
-         of(memory_) + of(release_share_) + arm_.bytes() + way_.bytes() + of(rigid_release_share_) + names_.bytes() +
-         of(node_place_) + held_.bytes();
+         of(frictions_) + of(bound_friction_) + of(slid_) + of(pairs_) + of(active_) + of(nodes_) + of(node_) +
+         of(last_entry_) + of(memory_) + of(release_share_) + arm_.bytes() + way_.bytes() + of(rigid_release_share_) +
+         names_.bytes() + of(node_place_) + held_.bytes();
 }
 
 template class ImpulseSolver<double>;

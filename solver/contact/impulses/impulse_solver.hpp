@@ -206,9 +206,10 @@ class ImpulseSolver {
   Array<double> way_;  ///< what velocities on the way of a step are more than those that nodes have [length/time]
   std::vector<double> rigid_release_share_;  ///< as release_share_, per rigid body
   bool lagrange_ = false;
-  PairRule friction_;                  ///< of rows without a pair
-  const ContactPairs* contact_pairs_;  ///< or null
-  bool has_friction_ = false;
+  PairRule friction_;                   ///< of rows without a pair
+  const ContactPairs* contact_pairs_;   ///< or null
+  bool has_friction_ = false;           ///< of contact itself
+  bool rubs_ = false;                   ///< or of a bound of this step
   bool has_stopped_nodes_ = false;      ///< constraints have begun since the rows were found
   std::vector<PairOf> pair_of_row_;     ///< one per row, only where there are pairs
   ContactRows rows_;                    ///< of places in node_
@@ -216,6 +217,7 @@ class ImpulseSolver {
   std::vector<Pair> pairs_;             ///< one per row
   std::vector<double> slid_;            ///< how fast in the step just made, one per row with friction [length/time]
   std::size_t contacts_ = 0;            ///< rows before those of bounds
+  std::vector<double> bound_friction_;  ///< mu, one per row of a bound [-]
   std::vector<std::int32_t> active_;    ///< rows that take part
   RowSystem system_;                    ///< of the active rows
   ImpulseIterations iterations_;

@@ -28,6 +28,11 @@ void RowSystem::build(const ContactRows& rows, const std::vector<std::int32_t>& 
   copy_entries();
   list_rows_of_nodes();
   set_constants(frictions);
+  for (Island& island : islands_) {
+    for (std::int32_t k = island.first_row; rubs_ && k < island.end_row; ++k) {
+      island.rubs = island.rubs || frictions[original(k)].rubs;
+    }
+  }
   if (rigid_) add_rigid_constants();
 }
 

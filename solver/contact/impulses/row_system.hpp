@@ -20,6 +20,7 @@ struct Island {
   std::int32_t first_node, end_node;
   std::int32_t end_free = 0;                    ///< of the nodes that move by themselves; then those of rigid bodies
   std::int32_t first_group = 0, end_group = 0;  ///< of rigid bodies
+  bool rubs = false;                            ///< whether some of its rows may
 
   std::int32_t rows() const { return end_row - first_row; }
 };

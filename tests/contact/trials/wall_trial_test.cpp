@@ -53,5 +53,103 @@ TEST_P(WallTrial, NodesBetweenABodyAndAWallThatMovesKeepTheBalance) {
   at_most("overhang on a wall that moves, balance", balance, 2e-3);
 }
 
+// ---- Friction at the wall -------------------------------------------------------------------------------------------
+
+Scene rubbed_overhang(double lean, double over, int elements, double at_wall, double between) {
+  Scene scene = overhang(lean, over, elements, at_wall);
+  scene.contact.friction = scene.contact.static_friction = between;
+  return scene;
+}
+
+/// Before contact knew of friction at walls: 6 to 23 %.
+TEST_P(WallTrial, NodesThatABodyPressesOnAWallThatRubsKeepTheBalance) {
+  struct Case {
+    double lean, over;
+    int elements;
+    double at_wall, between;
+  };
+  for (const Case& c : {Case{1, 0.5, 1, 0.3, 0},
+                        {1, 0.5, 3, 0.3, 0},
+                        {1, 0.8, 2, 0.3, 0.3},
+                        {0.5, 0.4, 3, 0.3, 0.3},
+                        {1, 0.5, 3, 0.1, 0.4}}) {
+    const std::string trial = fmt::format("overhang, {} over {}, {} elements, {} at the wall, {} between", c.over,
+                                          c.lean, c.elements, c.at_wall, c.between);
+    const double balance = run_of(trial, [&] {
+      const Scene scene = rubbed_overhang(c.lean, c.over, c.elements, c.at_wall, c.between);
+      Solver<double> solver(with_contact(scene, GetParam()));
+      return worst_balance_of_run(solver);
+    });
+    at_most(trial + ", balance", balance, 1e-3);
+  }
+}
+
+/// Walls that move, that end, that hold what touches them, beside nodes that are held or moved as given, and two walls
+/// at a node.
+TEST_P(WallTrial, AllKindsOfWallsThatRubKeepTheBalance) {
+  const auto worst = [&](const std::string& trial, double bound, const auto& change) {
+    const double balance = run_of(trial, [&] {
+      Scene scene = rubbed_overhang(1, 0.5, 3, 0.3, 0.3);
+      change(scene);
+      Solver<double> solver(with_contact(scene, GetParam()));
+      return worst_balance_of_run(solver);
+    });
+    at_most("overhang, " + trial + ", balance", balance, bound);
+  };
+  const auto add_side = [](Scene& scene, const Plane& plane) {
+    scene.rigid_walls.push_back(floor_of(0.3));
+    scene.rigid_walls[1].name = "side";
+    scene.rigid_walls[1].plane = plane;
+    scene.bodies[1].velocity = {-20, -3, 0};
+  };
+  worst("moving wall", 1e-3, [](Scene& scene) { scene.rigid_walls[0].speed = 2; });
+  worst("wall of finite size", 1e-3, [](Scene& scene) {
+    scene.rigid_walls[0].plane.point = {-0.5, -0.5, 0};
+    scene.rigid_walls[0].edge = Point{1, 0, 0};
+    scene.rigid_walls[0].size = {2, 2};
+  });
+  worst("wall that holds", 2e-3, [](Scene& scene) {
+    scene.rigid_walls[0].friction = 0;
+    scene.rigid_walls[0].sliding = false;
+  });
+  worst("held obliquely", 1e-3, [](Scene& scene) {
+    FixedConstraint held;
+    held.nodes.body = "struck";
+    held.directions = {{0, 0.96, 0.28}};
+    scene.fixed_constraints = {held};
+  });
+  worst("drawn aside", 1e-3, [](Scene& scene) {
+    PrescribedVelocity drawn;
+    drawn.nodes.body = "struck";
+    drawn.direction = Point{0, 1, 0};
+    drawn.velocity = {0, 3, 0};
+    scene.prescribed_velocities = {drawn};
+  });
+  worst("oblique wall beside it", 1e-3, [&](Scene& scene) { add_side(scene, Plane{{0, -0.02, 0}, {0, 0.8, 0.6}}); });
+  // Walls act one after the other: friction at the first one stops some of what the second one would.
+  worst("upright wall beside it", 1e-2, [&](Scene& scene) { add_side(scene, Plane{{0, -1e-6, 0}, {0, 1, 0}}); });
+}
+
+/// A held body of other elements in place of the wall, and shorter steps, tell what the blocks should come to: 2,270 J.
+TEST_P(WallTrial, FrictionAtAWallIsThatOnABodyInItsPlace) {
+  const auto kinetic_at_end = [&](const std::string& trial, const Scene& scene) {
+    return run_of(trial, [&] {
+      Solver<double> solver(with_contact(scene, GetParam()));
+      run_to_end(solver);
+      return solver.energies().kinetic;
+    });
+  };
+  Scene on_wall = rubbed_overhang(1, 0.5, 3, 0.3, 0.3), on_body = on_wall;
+  on_body.rigid_walls = {};
+  on_body.bodies.push_back(block("floor", {14, 8, 1}, 0.07, {-0.4, -0.2, -0.07}));
+  on_body.fixed_constraints = {held("floor")};
+  const double expected = kinetic_at_end("overhang on a body", on_body);
+  compare("overhang on a wall that rubs, kinetic energy", kinetic_at_end("overhang on a wall", on_wall) / expected, 1,
+          2e-3);
+  on_wall.time.cfl *= 0.25;
+  compare("overhang, steps of a quarter, kinetic energy", kinetic_at_end("overhang, short steps", on_wall) / expected,
+          1, 4e-3);
+}
+
 }  // namespace
 }  // namespace pinball::wall_trial_test
