@@ -15,6 +15,7 @@
 #include <solver/formats/vtk/vtk_reader.hpp>
 #include <solver/mesh/file/split_hexahedra.hpp>
 #include <solver/mesh/file/split_ten_nodes.hpp>
+#include <solver/mesh/file/split_twenty_nodes.hpp>
 #include <solver/mesh/held_mesh.hpp>
 #include <solver/mesh/number_index.hpp>
 
@@ -66,6 +67,7 @@ MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>
   // Readers of decks have looked at their numbers, and have split their elements, which have them together now.
   if (!is_of_decks(settings.format)) check_numbers(file);
   split_ten_nodes(file);
+  split_twenty_nodes(file);
   for (Point& node : file.mesh.nodes) {
     for (double& coordinate : node) coordinate *= settings.scale;
   }

@@ -77,7 +77,24 @@ void append_element(MeshFile& file, const ElementType& type, std::span<const std
     of.element = static_cast<std::int32_t>(file.mesh.hexahedra.size());
     std::copy_n(nodes.begin() + 4, of.nodes.size(), of.nodes.begin());
   }
+  if (type.has_edge_nodes && type.shape == SolidShape::hexahedron) {
+    TwentyNodes& of = file.twenty_nodes.emplace_back();
+    of.element = static_cast<std::int32_t>(file.mesh.hexahedra.size());
+    std::copy_n(nodes.begin() + 8, of.nodes.size(), of.nodes.begin());
+  }
   file.mesh.hexahedra.push_back(stored_corners(type, nodes));
+}
+
+void add_nodes_of_element(const MeshFile& file, std::int32_t element, std::vector<std::int32_t>& nodes) {
+  const auto& corners = file.mesh.hexahedra[element];
+  nodes.insert(nodes.end(), corners.begin(), corners.end());
+  const auto add_those_of = [&](const auto& all, auto of_element) {
+    const auto found = std::ranges::lower_bound(all, element, {}, of_element);
+    if (found != all.end() && found->element == element)
+      nodes.insert(nodes.end(), found->nodes.begin(), found->nodes.end());
+  };
+  add_those_of(file.edge_nodes, &EdgeNodes::element);
+  add_those_of(file.twenty_nodes, &TwentyNodes::element);
 }
 
 std::vector<std::int32_t> elements_of_part(const MeshFile& file, const std::string& part) {
@@ -154,6 +171,9 @@ void keep_used_nodes(MeshFile& file) {
   for (const EdgeNodes& of : file.edge_nodes) {
     for (const std::int32_t node : of.nodes) place[node] = 0;
   }
+  for (const TwentyNodes& of : file.twenty_nodes) {
+    for (const std::int32_t node : of.nodes) place[node] = 0;
+  }
   if (std::ranges::count(place, -1) == 0) return;
   for (MeshSet& set : file.node_sets) {
     for (const std::int32_t node : set.members) {
@@ -174,6 +194,9 @@ void keep_used_nodes(MeshFile& file) {
     for (std::int32_t& node : hexahedron) node = place[node];
   }
   for (EdgeNodes& of : file.edge_nodes) {
+    for (std::int32_t& node : of.nodes) node = place[node];
+  }
+  for (TwentyNodes& of : file.twenty_nodes) {
     for (std::int32_t& node : of.nodes) node = place[node];
   }
   for (MeshSet& set : file.node_sets) {

@@ -59,6 +59,13 @@ struct EdgeNodes {
   std::array<std::int32_t, 6> nodes{};
 };
 
+/// Of a hexahedron of twenty nodes, those on its edges: four of its first face, the same of the opposite one, and four
+/// between these, each from the corner of its number on. Its corners are those of `element`.
+struct TwentyNodes {
+  std::int32_t element = 0;  ///< place in the mesh
+  std::array<std::int32_t, 12> nodes{};
+};
+
 /// From which hexahedron on the lines are those of an included file.
 struct MeshLines {
   std::int32_t first = 0;
@@ -78,6 +85,7 @@ struct MeshFile {
   std::vector<std::uint8_t> held;         ///< per node: bits of x, y, z that the file itself holds; empty: none
   std::size_t held_rotations = 0;         ///< nodes whose rotations the file holds, which those of solids do not have
   std::vector<EdgeNodes> edge_nodes;      ///< ascending by elements, until split_ten_nodes has made eight of each
+  std::vector<TwentyNodes> twenty_nodes;  ///< the same, until split_twenty_nodes has
   std::vector<std::int32_t> eights;       ///< the first of each of these eight, ascending
   std::vector<LayerNodes> layers;         ///< of rigid shells
   std::vector<MeshPart> parts;
@@ -90,8 +98,11 @@ struct MeshFile {
 struct ElementType;  // solver/mesh/element_types.hpp
 
 /// Puts one more element behind the others, with the nodes on its edges where they are read. nodes: places in the mesh,
-/// as many as the type has; of a tetrahedron of ten nodes those of EdgeNodes behind the corners.
+/// as many as the type has; behind the corners those of EdgeNodes or TwentyNodes.
 void append_element(MeshFile& file, const ElementType& type, std::span<const std::int32_t> nodes);
+
+/// Puts all nodes of an element behind others: its corners, and those on its edges that the file gives it.
+void add_nodes_of_element(const MeshFile& file, std::int32_t element, std::vector<std::int32_t>& nodes);
 
 /// Elements of a part: that of this name or number, or else the set of elements of it; all for "". Throws InputError
 /// where there is none, of which it names the nearest, or a name of several.

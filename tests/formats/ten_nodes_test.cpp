@@ -204,6 +204,51 @@ TEST_F(TenNodesOfOneFormat, HaveSetsOfEight) {
   EXPECT_THAT(find_set(file.element_sets, "second")->members, ElementsAre(8, 9, 10, 11, 12, 13, 14, 15));
 }
 
+std::set<std::int64_t> numbers_of(const MeshFile& file, const std::string& name) {
+  std::set<std::int64_t> numbers;
+  const MeshSet* set = find_set(file.node_sets, name);
+  if (set == nullptr) return numbers;
+  EXPECT_EQ(set->problem, "");
+  for (const std::int32_t n : set->members) numbers.insert(file.node_ids[n]);
+  return numbers;
+}
+
+/// Of elements and parts, and of faces: those on edges, too.
+TEST_F(TenNodesOfOneFormat, AreAllInSetsOfNodesOfElements) {
+  const std::set<std::int64_t> of_second(ten_nodes_elements[1].begin(), ten_nodes_elements[1].end());
+  const auto read = [&](MeshFormat format, const char* name, const std::string& text) {
+    const std::string path = (folder_ / name).string();
+    std::ofstream(path, std::ios::binary) << text;
+    return read_mesh_file({.format = format, .file = path, .part = ""}, {});
+  };
+  const MeshFile of_abaqus = read(MeshFormat::abaqus, "a.inp", abaqus() + "*NSET, NSET=all, ELSET=second\n");
+  EXPECT_EQ(numbers_of(of_abaqus, "all"), of_second);
+  std::string parts = keyword();
+  const std::size_t at = parts.find("\n2,1\n");
+  ASSERT_NE(at, std::string::npos);
+  parts.replace(at, 5, "\n2,2\n");
+  const std::string boxes = "*DEFINE_BOX\n8,-1,2,-1,2,-1,2\n";
+  const MeshFile of_keyword = read(MeshFormat::keyword, "k.k",
+                                   parts.replace(parts.find("*END"), 4,
+                                                 "*SET_NODE_GENERAL\n4\nPART,2\n*SET_NODE_GENERAL\n5\nALL\nDPART,1,2\n"
+                                                 "*SET_SOLID_GENERAL\n6\nBOX,8\n" +
+                                                     boxes + "*END"));
+  EXPECT_EQ(numbers_of(of_keyword, "4"), of_second);
+  EXPECT_TRUE(numbers_of(of_keyword, "5").empty());
+  EXPECT_EQ(find_set(of_keyword.element_sets, "6")->members.size(), 16u);
+  std::string groups = radioss();
+  groups.insert(groups.find("/END"),
+                "/GRBRIC/BRIC/5\ng\n         2\n/GRNOD/GRBRIC/6\ng\n         5\n"
+                "/SURF/GRBRIC/EXT/7\ns\n         5\n/SURF/SURF/8\ns\n         7\n"
+                "/GRNOD/SURF/8\ng\n         8\n/GRNOD/SURF/9\ng\n         9\n");
+  const MeshFile of_radioss = read(MeshFormat::radioss, "r_0000.rad", groups);
+  EXPECT_EQ(numbers_of(of_radioss, "6"), of_second);
+  EXPECT_EQ(numbers_of(of_radioss, "8"), of_second);
+  EXPECT_EQ(numbers_of(of_radioss, "9"), (std::set<std::int64_t>{1, 2, 3})) << "of a segment those that it names";
+  const MeshFile of_exodus = read(MeshFormat::exodus, "e.g", exodus());
+  EXPECT_EQ(numbers_of(of_exodus, "side"), (std::set<std::int64_t>{1, 2, 3, 12, 23, 13}));
+}
+
 /// Each format says which node is on which edge in its own order: those of another one are not in the middles.
 TEST_F(TenNodesOfOneFormat, AreRefusedInTheOrderOfOtherFormats) {
   const std::string path = (folder_ / "two.msh").string();

@@ -12,6 +12,7 @@
 #include <solver/base/error.hpp>
 #include <solver/mesh/element_types.hpp>
 #include <solver/mesh/file/input_file.hpp>
+#include <solver/mesh/file/split_ten_nodes.hpp>
 
 #include "netcdf_file.hpp"
 
@@ -223,6 +224,7 @@ class ExodusReader {
   void read_side_sets() {
     const Names sets = names_of("ss", in_.dimension("num_side_sets"));
     std::vector<MeshSet> of_nodes;
+    const EdgeMiddles middles(file_);
     for (std::size_t s = 0; s < sets.ids.size(); ++s) {
       const std::string number = std::to_string(s + 1), variable = "side_ss" + number;
       const std::vector<std::int64_t> elements = members("elem_ss" + number, "num_side_ss" + number),
@@ -232,7 +234,7 @@ class ExodusReader {
       FaceSet set{sets.ids[s], sets.names[s], {}};
       for (std::size_t i = 0; i < sides.size(); ++i)
         add_side(set, variable, place_of("elem_ss" + number, elements[i]), sides[i]);
-      of_nodes.push_back({set.id, set.name, nodes_of_faces(set.faces)});
+      of_nodes.push_back({set.id, set.name, middles.nodes_of(set.faces)});
       file_.face_sets.push_back(std::move(set));
     }
     // Before those that are sets of nodes in the file, which count where both have one number.

@@ -230,9 +230,9 @@ void put_layers_into_sets(MeshFile& file, LayerFaces faces, const std::vector<st
   std::multimap<std::int32_t, const LayerNodes*> of_node;
   for (const LayerNodes& layer : file.layers) of_node.emplace(layer.middle, &layer);
   std::vector<bool> used(file.mesh.nodes.size(), false);  // by solids, with which shells share nodes
-  for (const auto& hexahedron : file.mesh.hexahedra) {
-    for (const std::int32_t node : hexahedron) used[node] = true;
-  }
+  std::vector<std::int32_t> of_solids;
+  for (std::size_t e = 0; e < file.mesh.hexahedra.size(); ++e) add_nodes_of_element(file, e, of_solids);
+  for (const std::int32_t node : of_solids) used[node] = true;
   for (MeshSet& set : file.node_sets) {
     std::vector<std::int32_t> more;
     for (const std::int32_t node : set.members) {

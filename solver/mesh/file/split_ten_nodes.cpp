@@ -109,6 +109,12 @@ void split_members(MeshSet& set, const std::vector<std::int32_t>& first) {
 /// Of tetrahedra the corner elements come behind the four inside, and have the nodes of the edges in the places of the
 /// other ends. Of hexahedra there are these alone.
 EdgeMiddles::EdgeMiddles(const MeshFile& file) {
+  for (const EdgeNodes& of : file.edge_nodes) add(corners_of(file, of), of.nodes);
+  for (const TwentyNodes& of : file.twenty_nodes) {
+    const Corners8& corners = file.mesh.hexahedra[of.element];
+    for (std::size_t i = 0; i < hexahedron_edges.size(); ++i)
+      add(corners[hexahedron_edges[i][0]], corners[hexahedron_edges[i][1]], of.nodes[i]);
+  }
   for (const std::int32_t first : file.eights) {
     if (is_of_hexahedron(file, first)) {
       add_hexahedron(file, first, *this);
@@ -164,6 +170,18 @@ std::vector<std::array<std::int32_t, 4>> EdgeMiddles::pieces_of(const std::array
   return {{c[0], m[0], m[2], m[2]}, {m[0], c[1], m[1], m[1]}, {m[2], m[1], c[2], c[2]}, {m[0], m[1], m[2], m[2]}};
 }
 
+std::vector<std::int32_t> EdgeMiddles::nodes_of(const std::vector<std::array<std::int32_t, 4>>& faces) const {
+  std::vector<std::int32_t> nodes = nodes_of_faces(faces);
+  if (middle_.empty()) return nodes;
+  for (const std::array<std::int32_t, 4>& face : faces) {
+    for (std::size_t i = 0; i < 4; ++i) nodes.push_back(of(face[i], face[(i + 1) % 4]));
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::erase(nodes, -1);
+  return nodes;
+}
+
 void require_middle(const MeshFile& file, std::int32_t element, std::int32_t node, std::int32_t a, std::int32_t b,
                     const char* expected) {
   constexpr double farthest = 0.35;  // from the middle, over the length of the edge; 0.21 where it bends by 90 degrees
@@ -214,6 +232,7 @@ std::vector<std::int32_t> split_ten_nodes(MeshFile& file) {
   }
   first.push_back(static_cast<std::int32_t>(elements.size()));
   put_pieces(file, std::move(elements), first, middles);
+  for (TwentyNodes& one : file.twenty_nodes) one.element = first[one.element];
   file.notes.push_back(fmt::format("{}: {}, each as eight of four nodes", file.path,
                                    counted(split, "tetrahedron of ten nodes", "tetrahedra of ten nodes")));
   file.edge_nodes.clear();

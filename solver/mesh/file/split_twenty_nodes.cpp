@@ -17,9 +17,6 @@ namespace pinball {
 
 namespace {
 
-/// Corners that the edges join, in the order of TwentyNodes.
-constexpr std::array<std::array<int, 2>, 12> hexahedron_edges{
-    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 /// Corners of the faces, and the edges between them.
 struct FaceOfTwenty {
   std::array<int, 4> corners, edges;
@@ -139,8 +136,10 @@ class Splitting {
 
 }  // namespace
 
-std::vector<std::int32_t> split_twenty_nodes(MeshFile& file, const std::vector<TwentyNodes>& twenty) {
-  if (twenty.empty()) return {};
+std::vector<std::int32_t> split_twenty_nodes(MeshFile& file) {
+  if (file.twenty_nodes.empty()) return {};
+  const std::vector<TwentyNodes> twenty = std::move(file.twenty_nodes);
+  file.twenty_nodes.clear();
   const std::size_t count = file.mesh.hexahedra.size(), split = twenty.size();
   const std::string of_twenty = counted(split, "hexahedron of twenty nodes", "hexahedra of twenty nodes");
   if (std::max(count, file.mesh.nodes.size()) + 7 * split > std::numeric_limits<std::int32_t>::max() / 8)

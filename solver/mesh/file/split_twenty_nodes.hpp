@@ -8,22 +8,15 @@
 
 namespace pinball {
 
-/// Of a hexahedron of twenty nodes, those on its edges: four of its first face, the same of the opposite one, and four
-/// between these, each from the corner of its number on. Its corners are those of `element`.
-struct TwentyNodes {
-  std::int32_t element = 0;  ///< place in the mesh
-  std::array<std::int32_t, 12> nodes{};
-};
-
 /// Makes eight hexahedra of eight nodes of each that has twenty, one at each corner, in the order of the corners: with
 /// its number, part and line, in its sets of elements; a face of it in a set of faces becomes four. It gets nodes in
 /// the middle of its faces and of itself, where its own shape functions have them; their numbers follow the largest.
 /// These are in the sets of nodes that have all other nodes of the face, or of the element. What is done is noted in
 /// `notes`.
 ///
-/// twenty: ascending by elements. Returns as split_ten_nodes does, behind which it comes; empty: there are none. Throws
-/// InputError for a node that is not near the middle of its edge, for corners that are the same node, and for meshes
-/// that 32 bits cannot number.
-std::vector<std::int32_t> split_twenty_nodes(MeshFile& file, const std::vector<TwentyNodes>& twenty);
+/// Returns as split_ten_nodes does, behind which it comes; empty: no element has twenty nodes. Throws InputError for a
+/// node that is not near the middle of its edge, for corners that are the same node, and for meshes that 32 bits cannot
+/// number.
+std::vector<std::int32_t> split_twenty_nodes(MeshFile& file);
 
 }  // namespace pinball

@@ -96,6 +96,13 @@ TEST_F(AbaqusTwentyNodes, SetsOfFacesHaveTheirMiddles) {
   EXPECT_EQ(build_model<double>(s).constraints.size(), 3u * 9);
 }
 
+TEST_F(AbaqusTwentyNodes, AreAllInSetsOfNodesOfElements) {
+  const Scene s = scene(deck_of(2, "*BOUNDARY\nupper, 1, 3\n*CLOAD\nupper, 3, 2.\n",
+                                "*ELSET, ELSET=upper\n11\n*NSET, NSET=upper, ELSET=upper\n"));
+  EXPECT_EQ(s.loads.at(0).nodes.nodes.size(), 20u) << "the nodes of the deck alone";
+  EXPECT_EQ(build_model<double>(s).constraints.size(), 3u * 27) << "those that it gets, too";
+}
+
 TEST_F(AbaqusTwentyNodes, AreWatchedByTheirOwnNumbers) {
   const Scene s = scene(deck_of(1, "*OUTPUT, HISTORY\n*NODE OUTPUT, NSET=foot\nU,\n"));
   EXPECT_EQ(s.probes.size(), 8u);

@@ -203,6 +203,12 @@ TEST_F(RadiossDifferences, BricksOfTwentyNodesAreEight) {
   EXPECT_EQ(model.element_count(), 8);
   for (const double mass : model.element_mass) EXPECT_DOUBLE_EQ(mass, 7.85e-9 / 8);
   EXPECT_EQ(made.loads.at(0).nodes.nodes.size(), 8U);
+  const auto held = [&](const std::string& group) {
+    return build_model<double>(scene(text + bricks + group + "/BCS/1\nb\n   111 000         0         5\n"));
+  };
+  EXPECT_EQ(held("/GRNOD/PART/5\nall\n" + ten({"1"})).constraints.size(), 3U * 27);
+  EXPECT_EQ(held("/SURF/PART/EXT/6\nall\n" + ten({"1"}) + "/GRNOD/SURF/5\nall\n" + ten({"6"})).constraints.size(),
+            3U * 27);
   const std::string apart = "/BRIC20/1\n" + ten({"3", "1", "2", "3", "4", "5", "6", "7", "8"}) +
                             ten({"31", "32", "33", "34", "39", "36", "37", "38"}) + ten({"35", "40", "41", "42"});
   EXPECT_THAT(error(text + apart), HasSubstr("middle"));

@@ -237,10 +237,6 @@ class AbaqusMeshReader {
     file_.line.push_back(place.line);
     if (type.nodes < 5 && type.abaqus.empty()) return add_rigid_element(numbers[0], type.nodes, nodes, place);
     append_element(file_, type, nodes);
-    if (type.shape != SolidShape::hexahedron || !type.has_edge_nodes) return;
-    TwentyNodes& twenty = twenty_.emplace_back();
-    twenty.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size() - 1);
-    std::copy_n(nodes.begin() + 8, twenty.nodes.size(), twenty.nodes.begin());
   }
 
   /// Flat, until its thickness is known.
@@ -310,12 +306,8 @@ class AbaqusMeshReader {
 
   /// When all sets and sections are known.
   void split() {
-    const std::vector<std::int32_t> first = split_ten_nodes(file_);
-    if (!first.empty()) {
-      for (TwentyNodes& one : twenty_) one.element = first[one.element];
-    }
-    follow(first);
-    follow(split_twenty_nodes(file_, twenty_));
+    follow(split_ten_nodes(file_));
+    follow(split_twenty_nodes(file_));
   }
 
   /// first: as split_ten_nodes returns it.
@@ -352,7 +344,6 @@ class AbaqusMeshReader {
   MeshFile file_;
   std::vector<NumberIndex> nodes_, elements_;  ///< per component, places counted from its first
   std::vector<NamedRange> named_;
-  std::vector<TwentyNodes> twenty_;
 };
 
 }  // namespace

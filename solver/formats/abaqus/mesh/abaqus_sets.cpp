@@ -241,10 +241,7 @@ const std::vector<std::int32_t>& AbaqusSets::members(std::size_t component, bool
 
 void AbaqusSets::add_nodes_of_elements(const std::vector<std::int32_t>& elements,
                                        std::vector<std::int32_t>& nodes) const {
-  for (const std::int32_t e : elements) {
-    const auto& hexahedron = file_.mesh.hexahedra[e];
-    nodes.insert(nodes.end(), hexahedron.begin(), hexahedron.end());
-  }
+  for (const std::int32_t e : elements) add_nodes_of_element(file_, e, nodes);
 }
 
 std::vector<AbaqusSets::NameInFile> AbaqusSets::names_in_file(std::size_t component, const std::string& name,

@@ -197,7 +197,7 @@ KeywordSets::Places KeywordSets::of_part(const KeywordBlock& block, std::int64_t
   for (std::size_t e = 0; e < file_.part.size(); ++e) {
     if (file_.part[e] != wanted) continue;
     if (of_nodes(block)) {
-      places.insert(places.end(), file_.mesh.hexahedra[e].begin(), file_.mesh.hexahedra[e].end());
+      add_nodes_of_element(file_, e, places);
     } else {
       places.push_back(e);
     }
@@ -211,7 +211,10 @@ KeywordSets::Places KeywordSets::in_box(const KeywordBlock& block, const Keyword
   const auto is_inside = [&](std::int32_t node) { return box.holds(file_.mesh.nodes[node]); };
   Places places = all(block);
   std::erase_if(places, [&](std::int32_t place) {
-    return of_nodes(block) ? !is_inside(place) : !std::ranges::all_of(file_.mesh.hexahedra[place], is_inside);
+    if (of_nodes(block)) return !is_inside(place);
+    Places nodes;
+    add_nodes_of_element(file_, place, nodes);
+    return !std::ranges::all_of(nodes, is_inside);
   });
   return places;
 }

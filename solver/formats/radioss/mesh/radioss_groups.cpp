@@ -60,7 +60,7 @@ struct RadiossBox {
 
 RadiossGroups::RadiossGroups(const RadiossDeck& deck, const RadiossParts& parts, MeshFile& file,
                              const NumberIndex& nodes)
-    : deck_(deck), parts_(parts), file_(file), nodes_(nodes), bricks_(file.element_ids) {}
+    : deck_(deck), parts_(parts), file_(file), middles_(file), nodes_(nodes), bricks_(file.element_ids) {}
 
 void RadiossGroups::name_groups() {
   GivenOnce given;
@@ -133,13 +133,27 @@ RadiossGroups::Places RadiossGroups::nodes_of(const RadiossBlock& block) {
     for_each_radioss_member(block, [&](std::int64_t id, const DeckPlace& place) {
       if (kind == "GRNOD") add_all(all, nodes_of(find(node_groups_, "GRNOD", id, place)));
       if (kind == "GRBRIC") add_all(all, nodes_of_bricks(bricks_of(find(brick_groups_, "GRBRIC", id, place))));
-      if (kind == "SURF") add_all(all, nodes_of_faces(faces_of(find(surfaces_, "SURF", id, place))));
+      if (kind == "SURF") add_all(all, nodes_of_surface(find(surfaces_, "SURF", id, place)));
     });
   } else {
     all = nodes_of_bricks(bricks_of_parts(block, kind));
   }
   --depth_;
   sort_and_keep_one_of_each(all);
+  return all;
+}
+
+/// Segments have the nodes that they name; faces of solids those on their edges, too.
+RadiossGroups::Places RadiossGroups::nodes_of_surface(const RadiossBlock& block) {
+  const std::string kind = kind_of(block);
+  if (kind == "SEG") return nodes_of_faces(faces_of(block));
+  if (kind != "SURF") return middles_.nodes_of(faces_of(block));
+  Places all;
+  ++depth_;
+  for_each_radioss_member(block, [&](std::int64_t id, const DeckPlace& place) {
+    add_all(all, nodes_of_surface(find(surfaces_, "SURF", id, place)));
+  });
+  --depth_;
   return all;
 }
 
@@ -227,7 +241,9 @@ RadiossGroups::Places RadiossGroups::in_boxes(const RadiossBlock& block, bool of
     const auto is_inside = [&](std::int32_t node) { return box.holds(file_.mesh.nodes[node]); };
     const std::size_t count = of_nodes ? file_.node_ids.size() : file_.element_ids.size();
     for (std::size_t i = 0; i < count; ++i) {
-      if (of_nodes ? is_inside(i) : std::ranges::all_of(file_.mesh.hexahedra[i], is_inside)) all.push_back(i);
+      Places nodes;
+      if (!of_nodes) add_nodes_of_element(file_, i, nodes);
+      if (of_nodes ? is_inside(i) : std::ranges::all_of(nodes, is_inside)) all.push_back(i);
     }
   });
   return all;
@@ -248,8 +264,7 @@ RadiossGroups::Places RadiossGroups::bricks_of_parts(const RadiossBlock& block, 
 
 RadiossGroups::Places RadiossGroups::nodes_of_bricks(const Places& bricks) const {
   Places all;
-  for (const std::int32_t e : bricks)
-    all.insert(all.end(), file_.mesh.hexahedra[e].begin(), file_.mesh.hexahedra[e].end());
+  for (const std::int32_t e : bricks) add_nodes_of_element(file_, e, all);
   sort_and_keep_one_of_each(all);
   return all;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <solver/formats/radioss/scan/radioss_fields.hpp>
+#include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/mesh/number_index.hpp>
 
@@ -29,6 +30,7 @@ class RadiossGroups {
 
   void name_groups();
   Places nodes_of(const RadiossBlock& block);
+  Places nodes_of_surface(const RadiossBlock& block);
   Places bricks_of(const RadiossBlock& block);
   std::vector<Face> faces_of(const RadiossBlock& block);
   /// Of a group that another names. Throws InputError where it is not there or in itself.
@@ -47,6 +49,7 @@ class RadiossGroups {
   const RadiossDeck& deck_;
   const RadiossParts& parts_;
   MeshFile& file_;
+  const EdgeMiddles middles_;
   const NumberIndex& nodes_;
   NumberIndex bricks_;
   std::map<std::int64_t, const RadiossBlock*> node_groups_, brick_groups_, surfaces_, lines_, boxes_;

@@ -59,10 +59,8 @@ class RadiossMeshReader {
       fail_twice(is_of_solids, radioss::brick, "solid", file_.element_ids[twice]);
     RadiossGroups(deck_, parts_, file_, nodes_).read();
     given_nodes_ = file_.mesh.nodes.size();
-    if (const std::vector<std::int32_t> first = split_ten_nodes(file_); !first.empty()) {
-      for (TwentyNodes& one : twenty_) one.element = first[one.element];
-    }
-    split_twenty_nodes(file_, twenty_);
+    split_ten_nodes(file_);
+    split_twenty_nodes(file_);
     return std::move(file_);
   }
   std::size_t given_nodes() const { return given_nodes_; }
@@ -135,14 +133,12 @@ class RadiossMeshReader {
     const RadiossFields edges(second, block, radioss::bric20_edges), more(third, block, radioss::bric20_more);
     std::array<std::int32_t, most_nodes_of_element> nodes{};
     for (std::size_t i = 0; i < 8; ++i) nodes[i] = node_of(f, 1 + i);
-    append_element(file_, type, nodes);
-    TwentyNodes& twenty = twenty_.emplace_back();
-    twenty.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size() - 1);
     for (std::size_t i = 0; i < 4; ++i) {
-      twenty.nodes[i] = node_of(edges, i);
-      twenty.nodes[4 + i] = node_of(more, i);
-      twenty.nodes[8 + i] = node_of(edges, 4 + i);
+      nodes[8 + i] = node_of(edges, i);
+      nodes[12 + i] = node_of(more, i);
+      nodes[16 + i] = node_of(edges, 4 + i);
     }
+    append_element(file_, type, nodes);
   }
 
   void add_ten_nodes(const RadiossFields& f) {
@@ -197,7 +193,6 @@ class RadiossMeshReader {
   MeshFile file_;
   NumberIndex nodes_;
   std::map<std::int64_t, std::int32_t> part_places_;
-  std::vector<TwentyNodes> twenty_;
   std::size_t given_nodes_ = 0;
 };
 
