@@ -139,6 +139,25 @@ TEST_F(Deck, HoldsAndMovesFromBirthToDeath) {
               testing::Contains(HasSubstr("a rotation of nodes of solids (DOF 6) means nothing")));
 }
 
+/// As the manual of *INITIAL_VELOCITY_GENERATION has it, and OpenRadioss' reader: XC, YC, ZC are those of node NY then.
+TEST_F(Deck, SpinsAboutAnAxisOfTwoNodesThroughTheFirst) {
+  const auto spin = [&](const std::string& axis) {
+    return cube + elastic + ends + "*INITIAL_VELOCITY_GENERATION\n1,2,10.\n" + axis + "\n";
+  };
+  const Scene of_nodes = scene(spin(",,,-999,2,6")), of_places = scene(spin("1.,0.,0.,0.,0.,1."));
+  ASSERT_EQ(of_nodes.initial_velocities.size(), 1u);
+  EXPECT_EQ(of_nodes.initial_velocities[0].centre, (Point{1, 0, 0}));
+  EXPECT_EQ(of_nodes.initial_velocities[0].angular_velocity, of_places.initial_velocities[0].angular_velocity);
+  const Model<double> model = build_model<double>(of_nodes), other = build_model<double>(of_places);
+  for (std::size_t n = 0; n < 8; ++n) {
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(model.nodes.velocity_of(n)[k], other.nodes.velocity_of(n)[k]);
+  }
+  const std::string said = "NX is -999: the axis goes through node NY";
+  EXPECT_THAT(translate(spin("3.,0.,0.,-999,2,6")).understood,
+              Contains(AllOf(HasSubstr("INITIAL_VELOCITY_GENERATION: XC, YC, ZC"), HasSubstr(said))));
+  EXPECT_THAT(translate(spin(",,,-999,2,6")).understood, Not(Contains(HasSubstr(said))));
+}
+
 TEST_F(Deck, BeginsWithSpinsBoxesAndLocalSystems) {
   const Scene s =
       scene(cube + elastic + ends + set_of_top +

@@ -124,9 +124,11 @@ struct Motion {
   Point velocity{}, angular_velocity{}, centre{};
 };
 
-/// The axis of a spin: NX, NY, NZ, or, where NX is -999, from node NY to node NZ.
-Point axis_of(const DeckData& data, const KeywordBlock& block, const Fields& f, std::int64_t system) {
+/// The axis of a spin: NX, NY, NZ through XC, YC, ZC, or, where NX is -999, through node NY to node NZ. centre: a point
+/// on it.
+Point axis_of(DeckData& data, const KeywordBlock& block, const Fields& f, std::int64_t system, Point& centre) {
   Point axis = f.point("NX");
+  centre = f.point("XC");
   if (axis[0] == -999) {
     Point ends[2];
     for (std::size_t i = 0; i < 2; ++i) {
@@ -137,6 +139,9 @@ Point axis_of(const DeckData& data, const KeywordBlock& block, const Fields& f, 
     }
     axis = minus(ends[1], ends[0]);
     system = 0;
+    if (centre != Point{})
+      data.report.unused(f.place(), block.star_name() + ": XC, YC, ZC", "NX is -999: the axis goes through node NY");
+    centre = ends[0];
   }
   const double length = norm(axis);
   if (!(length > 0)) fail_at(f.place(), block.star_name() + ": expected the axis of the spin (NX, NY, NZ)");
@@ -145,14 +150,13 @@ Point axis_of(const DeckData& data, const KeywordBlock& block, const Fields& f, 
 }
 
 /// Of the two cards of a generation; the spin needs the second one.
-Motion motion_of(const DeckData& data, const KeywordBlock& block, const Fields& f, const Fields& spin) {
+Motion motion_of(DeckData& data, const KeywordBlock& block, const Fields& f, const Fields& spin) {
   const std::int64_t system = f.integer("ICID");
   Motion motion;
   motion.velocity = in_system(data, block, system, f.point("VX"), f.place());
   const double omega = f.number("OMEGA");
   if (omega == 0) return motion;
-  motion.centre = spin.point("XC");
-  motion.angular_velocity = axis_of(data, block, spin, system);
+  motion.angular_velocity = axis_of(data, block, spin, system, motion.centre);
   for (double& component : motion.angular_velocity) component *= omega;
   return motion;
 }

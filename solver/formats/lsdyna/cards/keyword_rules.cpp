@@ -84,7 +84,9 @@ const std::vector<KeywordRule>& keyword_rules() {
        !in_other_units, translate_initial_velocity},
       {"INITIAL_VELOCITY_NODE", done, "", !in_other_units, translate_initial_velocity_of_nodes},
       {"INITIAL_VELOCITY_SET", done, "as INITIAL_VELOCITY", !in_other_units, translate_initial_velocity},
-      {"INITIAL_VELOCITY_GENERATION", done, "of parts, sets of parts and of nodes; a spin; IVATN; PHASE is refused",
+      {"INITIAL_VELOCITY_GENERATION", done,
+       "of parts, sets of parts and of nodes; a spin, also about the axis from node NY to node NZ; IVATN; PHASE is "
+       "refused",
        !in_other_units, translate_velocity_generation},
       {"INITIAL_VELOCITY_RIGID_BODY", done, "of the centre of a rigid part, whatever velocities its nodes have"},
       {"RIGIDWALL_PLANAR", done,
