@@ -265,6 +265,14 @@ TEST_F(DeckMaterials, ReadsJohnsonAndCookWithItsEquationOfState) {
   EXPECT_EQ(polynomial.equation_of_state->coefficients, (std::vector<double>{0, 1.6e5, 1e5, 2e4, 1.9, 0.6, 0.1}));
 }
 
+/// "A negative input of D3 will be converted to its absolute value", of a pressure that counts compression.
+TEST_F(DeckMaterials, D3OfJohnsonAndCookMeansTheSameWithEitherSign) {
+  const std::string positive = steel(grueneisen, "0.05,3.44,2.12,0.002");
+  EXPECT_EQ(material(positive).johnson_cook, material(steel(grueneisen)).johnson_cook);
+  EXPECT_THAT(told(positive), Contains(HasSubstr("D3 of either sign counts as -2.12")));
+  EXPECT_THAT(told(steel(grueneisen)), Not(Contains(HasSubstr("D3 of"))));
+}
+
 TEST_F(DeckMaterials, TablesHaveUpToTenPoints) {
   const auto with = [](const std::string& head, const std::string& strains, const std::string& factors) {
     return steel("*EOS_TABULATED\n" + head + "\n" + strains + "\n\n-5.E3,0.,2.E4,6.E4\n\n" + factors + "\n\n");

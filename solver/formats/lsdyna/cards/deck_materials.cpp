@@ -181,8 +181,11 @@ void set_johnson_cook(DeckData& data, const Fields& f, Cards& cards, const DeckS
   } else if (s.number("M") != 0) {
     data.report.unused(s.place(), "*MAT_JOHNSON_COOK: M", "TM is 0");
   }
-  const std::vector<double> constants{d.number("D1"), d.number("D2"), d.number("D3"), d.number("D4"),
-                                      last.number("D5")};
+  const double of_pressure = -std::abs(d.number("D3"));  // its pressure counts compression, and either sign is that
+  if (d.number("D3") > 0)
+    data.report.understood(
+        fmt::format("*MAT_JOHNSON_COOK ({}): D3 of either sign counts as {:.6g}", d.place().text(), of_pressure));
+  const std::vector<double> constants{d.number("D1"), d.number("D2"), of_pressure, d.number("D4"), last.number("D5")};
   if (std::ranges::any_of(constants, [](double one) { return one != 0; })) law.set("failure", constants);
   keys.set("johnson_cook", law.value(), "johnson_cook");
   keys.set("equation_of_state", given_state_equation(equation, tension_limit(data, d)), equation.card.text());
