@@ -36,6 +36,22 @@ TEST_F(AbaqusContact, IsOfPairs) {
               HasSubstr("there is no *SURFACE INTERACTION r"));
 }
 
+/// mu = mu_k + (mu_s - mu_k) exp(-d v), whichever of the two is more; without d it stays mu_s.
+TEST_F(AbaqusContact, FrictionMayGrowWithTheSpeed) {
+  const auto with = [](const std::string& friction) {
+    std::string text = cubes;
+    text.replace(text.find("0.3, 0.1, 2.\n"), 13, friction);
+    return text + abaqus_step("*CONTACT PAIR, INTERACTION=p\nHigh.lower, Low.upper\n");
+  };
+  const Scene grows = scene(with("0.1, 0.3, 2.\n"));
+  EXPECT_EQ(grows.contact_pairs.at(0).static_friction, 0.1);
+  EXPECT_EQ(grows.contact_pairs.at(0).friction, 0.3);
+  EXPECT_EQ(grows.contact_pairs.at(0).friction_decay, 2);
+  const Scene stays = scene(with("0.3, 0.1\n"));
+  EXPECT_EQ(stays.contact_pairs.at(0).friction, 0.3);
+  EXPECT_THAT(translate(with("0.3, 0.1\n")).understood, Contains(HasSubstr("*FRICTION: coefficient while sliding")));
+}
+
 /// Springs stand for hard contact where they give way less than an element, here of 1 mm: E/k = 0.021 of one.
 TEST_F(AbaqusContact, OfSpringsIsHardAndSaysHowFarTheyGiveWay) {
   const std::string pair = abaqus_step("*CONTACT PAIR, INTERACTION=s\nHigh.lower, Low.upper\n");

@@ -15,8 +15,8 @@ namespace {
 template <class Keys>
 void set_friction(const AbaqusFriction& friction, const Keys& keys) {
   keys.set("friction", friction.sliding);
-  if (friction.at_rest > friction.sliding) keys.set("static_friction", friction.at_rest);
-  if (friction.at_rest > friction.sliding && friction.decay > 0) keys.set("friction_decay", friction.decay);
+  if (friction.at_rest != friction.sliding) keys.set("static_friction", friction.at_rest);
+  if (friction.at_rest != friction.sliding) keys.set("friction_decay", friction.decay);
 }
 
 /// What may touch what; no second side: the first touches itself.
@@ -112,7 +112,7 @@ class Contact {
 
   void set_wall_friction(const AbaqusFriction& friction, const AbaqusBlock& block, const DeckKeys<RigidWall>& keys) {
     keys.set("friction", friction.sliding);
-    if (friction.at_rest > friction.sliding)
+    if (friction.at_rest != friction.sliding)
       data_.report.unused(block.place, block.star_name() + ": friction at rest", "walls have that while sliding alone");
   }
 

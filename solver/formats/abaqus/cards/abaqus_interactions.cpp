@@ -11,15 +11,22 @@ namespace pinball {
 
 namespace {
 
-/// A constant; with EXPONENTIAL DECAY the one at rest, the one while sliding, and the decay between them.
+/// A constant; with EXPONENTIAL DECAY the one at rest, the one while sliding, and the decay between them, without which
+/// it stays that at rest.
 AbaqusFriction read_friction(AbaqusData& data, const AbaqusBlock& block) {
   DataLines lines(block);
   const auto card = lines.next();
   if (!card) return {};
   const DataFields f(*card);
   const double first = f.number(0, "coefficient", 0.0);
-  if (block.has("EXPONENTIALDECAY"))
-    return {f.number(1, "coefficient while sliding"), first, f.number(2, "decay", 0.0)};
+  if (block.has("EXPONENTIALDECAY")) {
+    const double sliding = f.number(1, "coefficient while sliding"), decay = f.number(2, "decay", 0.0);
+    if (decay > 0) return {sliding, first, decay};
+    if (sliding != first)
+      data.report.unused(card->place, "*FRICTION: coefficient while sliding",
+                         "without a decay friction stays that at rest");
+    return {first, first, 0.0};
+  }
   for (std::size_t i = 1; i < 7; ++i) {
     if (!f.blank(i)) data.report.reject(block.place, "*FRICTION that depends on slip rate, pressure or temperature");
   }
