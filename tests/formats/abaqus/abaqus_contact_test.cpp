@@ -110,6 +110,38 @@ TEST_F(AbaqusContact, IsGeneral) {
   EXPECT_EQ(assigned.contact.friction, 0);
 }
 
+/// "To modify contact properties for specific contact interactions within the domain considered by general contact".
+TEST_F(AbaqusContact, AnAssignmentMakesNothingTouchThatIsNotIncluded) {
+  const auto with = [](const std::string& included, const std::string& assigned) {
+    const std::string surfaces = "*SURFACE, NAME=whole\nLow.Cube,\n*SURFACE, NAME=both\nLow.Cube,\nHigh.Cube,\n";
+    return std::string(cubes).insert(cubes.find("*END ASSEMBLY"), surfaces) +
+           abaqus_step("*CONTACT\n*CONTACT PROPERTY ASSIGNMENT\n" + assigned + "*CONTACT INCLUSIONS\n" + included);
+  };
+  const std::string low = "whole,\n", said = "*CONTACT INCLUSIONS do not let these touch";
+  EXPECT_EQ(scene(with(low, "High.upper, Low.upper, p\n")).contact_pairs.size(), 1u);
+  EXPECT_THAT(translate(with(low, "High.upper, Low.upper, p\n")).understood, Contains(HasSubstr(said)));
+  EXPECT_THAT(error(with(low, "both, , p\n")), HasSubstr("*CONTACT INCLUSIONS let a part of these touch"));
+  const Scene partly = scene(with(low, "Low.upper, , p\n"));
+  ASSERT_EQ(partly.contact_pairs.size(), 2u) << "the upper face is of what may touch itself";
+  EXPECT_EQ(partly.contact_pairs[1].friction, 0.1) << "behind the pair that it is a part of";
+  const Scene same = scene(with("High.lower, Low.upper\n", "Low.upper, High.lower, p\n"));
+  EXPECT_EQ(same.contact_pairs.size(), 2u) << "of nodes, too";
+}
+
+/// "If the contact property assignments overlap, the last assignment applies in the overlap region."
+TEST_F(AbaqusContact, TheLastAssignmentCounts) {
+  const auto with = [](const std::string& assigned) {
+    return cubes +
+           abaqus_step("*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n" + assigned);
+  };
+  const Scene all = scene(with("High.upper, Low.upper, p\n, , q\n"));
+  EXPECT_EQ(all.contact_pairs.size(), 0u);
+  EXPECT_EQ(all.contact.friction, 0);
+  EXPECT_THAT(translate(with("High.upper, Low.upper, p\n, , q\n")).understood,
+              Contains(AllOf(HasSubstr("of two surfaces ("), HasSubstr("one of all stands behind it, and counts"))));
+  EXPECT_EQ(scene(with(", , q\nHigh.upper, Low.upper, p\n")).contact_pairs.size(), 2u);
+}
+
 TEST_F(AbaqusContact, IsTied) {
   const Scene tied =
       scene(cubes + "*TIE, NAME=t, ADJUST=YES, POSITION TOLERANCE=0.6\nHigh.lower, Low.upper\n" + abaqus_step());

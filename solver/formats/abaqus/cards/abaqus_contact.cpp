@@ -39,7 +39,10 @@ class Contact {
       if (block.name == "CONTACTPAIR") read_pairs(block);
       if (block.name == "CONTACTEXCLUSIONS") exclusions_.read(block);
     }
+    for (const std::vector<Pair>* some : {&assigned_, &of_pairs_})
+      pairs_.insert(pairs_.end(), some->begin(), some->end());
     write_walls(scene);
+    drop_pairs_not_included();
     if (all_ != nullptr) pairs_.insert(pairs_.begin(), Pair{all_, all_->place, "", "", {}});
     const std::vector<Touching> touching = what_touches();
     exclusions_.report_idle();
@@ -73,18 +76,41 @@ class Contact {
     }
   }
 
-  /// Of all that touches, or of two surfaces: a pair again, which counts before those that it is a part of.
+  /// Of all that touches, or of two surfaces: a pair again, which counts before those that it is a part of. Where
+  /// assignments overlap, the last one counts: one of all takes the place of all before it.
   void read_assignments(const AbaqusBlock& block) {
     DataLines lines(block);
     while (const auto card = lines.next()) {
       const DataFields f(*card);
       const AbaqusFriction& friction = interactions_.use(f.text(2), card->place);
-      if (f.blank(0) && f.blank(1)) {
-        common_ = friction;
-      } else {
-        pairs_.push_back({&block, card->place, f.text(0), f.text(1), friction});
+      if (!f.blank(0) || !f.blank(1)) {
+        assigned_.push_back({&block, card->place, f.text(0), f.text(1), friction});
+        continue;
       }
+      for (const Pair& pair : assigned_)
+        data_.report.unused(pair.place, block.star_name() + " of two surfaces",
+                            "one of all stands behind it, and counts");
+      assigned_.clear();
+      common_ = friction;
     }
+  }
+
+  /// Assignments say how surfaces touch that general contact includes, and make none touch.
+  void drop_pairs_not_included() {
+    if (all_ != nullptr || assigned_.empty()) return;
+    AbaqusExclusions included(data_);
+    for (const Pair& pair : pairs_) {
+      if (pair.block->name == "CONTACTINCLUSIONS") included.add(pair.place, pair.first, pair.second);
+    }
+    std::erase_if(pairs_, [&](const Pair& pair) {
+      if (pair.block->name != "CONTACTPROPERTYASSIGNMENT") return false;
+      const Share share = included.share_of_pair(pair.first, pair.second, pair.place);
+      const std::string what = pair.block->star_name() + " of two surfaces";
+      if (share == Share::none) data_.report.unused(pair.place, what, "*CONTACT INCLUSIONS do not let these touch");
+      if (share == Share::some)
+        data_.report.reject(pair.place, what, "*CONTACT INCLUSIONS let a part of these touch: name that part alone");
+      return share == Share::none;
+    });
   }
 
   /// Of general contact for all nodes, of a pair for those of its other surface.
@@ -124,7 +150,7 @@ class Contact {
     DataLines lines(block);
     while (const auto card = lines.next()) {
       const DataFields f(*card);
-      pairs_.push_back({&block, card->place, f.text(0), f.text(1), friction});
+      of_pairs_.push_back({&block, card->place, f.text(0), f.text(1), friction});
     }
   }
 
@@ -162,7 +188,8 @@ class Contact {
   AbaqusData& data_;
   AbaqusInteractions interactions_;
   const AbaqusBlock* all_ = nullptr;  ///< *CONTACT INCLUSIONS, ALL EXTERIOR
-  std::vector<Pair> pairs_;
+  std::vector<Pair> pairs_;           ///< those of general contact first, of what overlaps the last one counts
+  std::vector<Pair> assigned_, of_pairs_;
   AbaqusExclusions exclusions_;
   AbaqusFriction common_;
 };

@@ -41,10 +41,31 @@ void AbaqusExclusions::read(const AbaqusBlock& block) {
   DataLines lines(block);
   while (const auto card = lines.next()) {
     const DataFields f(*card);
-    const std::string first = f.text(0), second = touches_itself(first, f.text(1)) ? first : f.text(1);
-    for (const std::string& label : {first, second}) side_of(label, card->place);  // they have to be there
-    exclusions_.push_back({card->place, first, second});
+    add(card->place, f.text(0), f.text(1));
   }
+}
+
+void AbaqusExclusions::add(const DeckPlace& place, const std::string& first, const std::string& second) {
+  const std::string other = touches_itself(first, second) ? first : second;
+  for (const std::string& label : {first, other}) side_of(label, place);  // they have to be there
+  exclusions_.push_back({place, first, other});
+}
+
+Share AbaqusExclusions::share_of_pair(const std::string& first, const std::string& second, const DeckPlace& place) {
+  const std::string a = label_key(first), b = touches_itself(first, second) ? a : label_key(second);
+  for (const Exclusion& one : exclusions_) {  // of surfaces of nodes no more is known than that
+    const std::string c = label_key(one.first), d = label_key(one.second);
+    if ((a == c && b == d) || (a == d && b == c)) return Share::all;
+  }
+  bool any = false, all = true;
+  const Side side_a = side(first, place), side_b = a == b ? side_a : side(second, place);
+  for (const std::vector<Share>& row : left_out(side_a, side_b)) {
+    for (const Share share : row) {
+      any = any || share != Share::none;
+      all = all && share == Share::all;
+    }
+  }
+  return !any ? Share::none : all ? Share::all : Share::some;
 }
 
 DeckSide AbaqusExclusions::side_of(const std::string& label, const DeckPlace& place) const {

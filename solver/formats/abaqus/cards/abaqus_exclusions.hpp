@@ -22,6 +22,10 @@ class AbaqusExclusions {
   explicit AbaqusExclusions(AbaqusData& data) : data_(data) {}
 
   void read(const AbaqusBlock& block);
+  void add(const DeckPlace& place, const std::string& first, const std::string& second);
+  /// How much of a pair of surfaces these pairs have, none of which is asked to be left out: also for pairs that are
+  /// included.
+  Share share_of_pair(const std::string& first, const std::string& second, const DeckPlace& place);
   /// A pair of surfaces as it is; of an empty label all bodies. A second one that is empty, or the first: it touches
   /// itself. Throws InputError for surfaces that are not there.
   AbaqusSides all_of(const std::string& first, const std::string& second, const DeckPlace& place) const;

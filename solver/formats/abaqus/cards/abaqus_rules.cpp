@@ -93,7 +93,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"CONTACT", done, "exact impulses between faces", "OP=MOD|NEW"},
       {"CONTACT INCLUSIONS", done, "ALL EXTERIOR, or pairs of surfaces", "ALLEXTERIOR"},
       {"CONTACT EXCLUSIONS", done, "of whole bodies, and of whole surfaces of inclusions; others are refused"},
-      {"CONTACT PROPERTY ASSIGNMENT", done, "of all, or of pairs of surfaces"},
+      {"CONTACT PROPERTY ASSIGNMENT", done,
+       "of all, or of surfaces that general contact includes; the last one counts"},
       {"CONTACT PAIR", done, "of two surfaces, or of one with itself",
        "INTERACTION MECHANICALCONSTRAINT=KINEMATIC|PENALTY TYPE=SURFACETOSURFACE|NODETOSURFACE|MASSLESS CPSET WEIGHT "
        "OP=ADD"},
