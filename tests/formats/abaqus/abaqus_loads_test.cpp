@@ -1,5 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <set>
+
+#include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
+
 #include "abaqus_case.hpp"
 
 /// *CLOAD, *DLOAD, *DSLOAD and initial velocities: what of them is given more than once, or of a kind that
@@ -38,6 +42,43 @@ TEST_F(AbaqusLoads, OfOtherNodesDirectionsAndFacesAreNot) {
   for (const char* loads : {"*CLOAD\n5, 1, 2.\n6, 1, 2.\n5, 2, 2.\n", "*DLOAD\nCube, P2, 2.\nCube, P1, 2.\n",
                             "*DLOAD\n, GRAV, 9., 0., 0., -1.\n, GRAV, 9., 1., 0., 0.\n"})
     EXPECT_THAT(notes(loads), Not(Contains(HasSubstr("already")))) << loads;
+}
+
+/// Faces of a C3D8 are numbered by its eight places, whichever nodes stand there: S3 is 1, 2, 6, 5.
+TEST_F(AbaqusLoads, FacesOfCollapsedHexahedraAreThoseOfTheirPlaces) {
+  struct Form {
+    const char* nodes;
+    std::vector<std::vector<std::int64_t>> faces;  ///< P1 to P6; empty: it has no area
+  };
+  const std::vector<Form> forms{
+      {"1, 2, 3, 4, 5, 5, 5, 5", {{1, 2, 3, 4}, {}, {1, 2, 5, 5}, {2, 3, 5, 5}, {3, 4, 5, 5}, {1, 4, 5, 5}}},
+      {"1, 2, 3, 3, 5, 6, 7, 7", {{1, 2, 3, 3}, {5, 6, 7, 7}, {1, 2, 5, 6}, {2, 3, 6, 7}, {}, {1, 3, 5, 7}}},
+      {"1, 2, 3, 3, 5, 5, 5, 5", {{1, 2, 3, 3}, {}, {1, 2, 5, 5}, {2, 3, 5, 5}, {}, {1, 3, 5, 5}}}};
+  const auto different = [](const auto& face) { return std::set<std::int64_t>(face.begin(), face.end()); };
+  for (const Form& form : forms) {
+    std::string collapsed = abaqus_cube;
+    collapsed.replace(collapsed.find("1, 2, 3, 4, 5, 6, 7, 8"), 22, form.nodes);
+    for (int side = 1; side <= 6; ++side) {
+      const std::string surface = fmt::format("*SURFACE, NAME=s\nCube, S{}\n", side);
+      const std::string text = collapsed + surface + abaqus_steel;
+      const std::string load = abaqus_step(fmt::format("*DLOAD\nCube, P{}, 2.\n", side));
+      const Scene s = scene(text + load);
+      const MeshFile file = abaqus_mesh(parse_abaqus_deck(text + load, "deck.inp")).file;
+      const FaceSet& set = *find_set(file.face_sets, "s");
+      const std::vector<std::int64_t>& expected = form.faces[side - 1];
+      ASSERT_EQ(s.pressures.size(), expected.empty() ? 0U : 1U) << form.nodes << " P" << side;
+      ASSERT_EQ(set.faces.size(), s.pressures.size());
+      if (expected.empty()) {
+        EXPECT_THAT(translate(text + load).understood, Contains(HasSubstr("nodes that are the same leave no face")));
+        continue;
+      }
+      ASSERT_EQ(s.pressures[0].corners.size(), 1U);
+      EXPECT_EQ(different(s.pressures[0].corners[0]), different(expected)) << form.nodes << " P" << side;
+      std::set<std::int64_t> of_set;
+      for (const std::int32_t node : set.faces[0]) of_set.insert(file.node_ids[node]);
+      EXPECT_EQ(of_set, different(expected)) << form.nodes << " S" << side;
+    }
+  }
 }
 
 TEST_F(AbaqusLoads, OfKindsThatAreNotReadAreRefused) {

@@ -127,14 +127,14 @@ TEST(AbaqusMesh, FacesAreThoseOfAbaqus) {
   static const int corners[6][4] = {{1, 2, 3, 4}, {5, 8, 7, 6}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 8, 4}, {4, 8, 5, 1}};
   const std::array<std::int32_t, 8> hexahedron{1, 2, 3, 4, 5, 6, 7, 8};
   for (int s = 1; s <= 6; ++s) {
-    auto found = corners_of_face(hexahedron, abaqus_face(hexahedron, s));
+    auto found = corners_of_face(hexahedron, abaqus_face(hexahedron, SolidShape::hexahedron, s));
     std::array<std::int32_t, 4> expected{};
     std::copy_n(corners[s - 1], 4, expected.begin());
     std::sort(found.begin(), found.end());
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(found, expected) << s;
   }
-  EXPECT_EQ(abaqus_face(hexahedron, 7), -1);
+  EXPECT_EQ(abaqus_face(hexahedron, SolidShape::hexahedron, 7), -1);
 }
 
 TEST(AbaqusMesh, ASurfaceIsOfFacesOrOfNodes) {

@@ -160,14 +160,17 @@ void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataL
   std::vector<std::vector<std::int64_t>> faces;
   const std::vector<std::int32_t> elements = data.elements(DataFields(card).text(0), card.place);
   for (const auto& [e, corners] : whole_elements(file, elements)) {
-    const int face = abaqus_face(corners, number);
+    const int face = abaqus_face(corners, given_shape(data.mesh.types, e), number);
     if (face < 0) fail_at(card.place, fmt::format("*DLOAD: this element has no face P{}", number));
+    if (!is_face(corners_of_face(corners, face))) continue;
     loads.add(fmt::format("P{} of element {}", number, file.element_ids[e]));
     for (const auto& one : data.middles.pieces_of(corners_of_face(corners, face))) {
       faces.emplace_back();
       for (const std::int32_t node : one) faces.back().push_back(file.node_ids[node]);
     }
   }
+  if (faces.empty() && !elements.empty())
+    return data.report.unused(card.place, fmt::format("*DLOAD: P{}", number), "nodes that are the same leave no face");
   begin_pressure(data, block, card, scene).set("faces", faces);
 }
 

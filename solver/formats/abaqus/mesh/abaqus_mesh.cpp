@@ -64,7 +64,7 @@ class AbaqusMeshReader {
   AbaqusMesh read() {
     reserve();
     for (std::size_t c = 0; c < mesh_.components.size(); ++c) read_component(c);
-    AbaqusSets sets(mesh_.components, mesh_.ranges, file_, std::move(nodes_), std::move(elements_));
+    AbaqusSets sets(mesh_, file_, std::move(nodes_), std::move(elements_));
     for (const NamedRange& set : named_) sets.add_range(set.component, set.of_nodes, set.name, set.first, set.last);
     for (const AbaqusPointElement& point : mesh_.points) sets.pass_over(point.component, point.number);
     sets.read();
@@ -172,7 +172,7 @@ class AbaqusMeshReader {
     if (known == nullptr)
       fail_at(block.place, fmt::format("*ELEMENT, TYPE={} is not read: expected {}", type, names_of_elements()));
     const std::size_t first = file_.element_ids.size();
-    mesh_.types.push_back({first, type});
+    mesh_.types.push_back({first, type, known->shape});
     DataLines lines(block);
     while (const auto card = lines.next()) read_element(*card, lines, *known, first_node);
     if (const auto name = block.value("ELSET")) named_.push_back({c, false, *name, first, file_.element_ids.size()});

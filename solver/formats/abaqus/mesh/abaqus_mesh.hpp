@@ -7,6 +7,7 @@
 
 #include <solver/formats/abaqus/scan/abaqus_assembly.hpp>
 #include <solver/formats/abaqus/scan/abaqus_deck.hpp>
+#include <solver/mesh/element_types.hpp>
 #include <solver/mesh/mesh_file.hpp>
 
 namespace pinball {
@@ -21,6 +22,7 @@ struct AbaqusRange {
 struct AbaqusElements {
   std::size_t first = 0;
   std::string type;  ///< without case and blanks: "C3D8R"
+  SolidShape shape = SolidShape::hexahedron;
 };
 
 /// A MASS or ROTARYI element.
@@ -58,11 +60,17 @@ struct AbaqusMesh {
 /// one component numbers of the second begin behind a power of ten, and so on. Throws InputError "FILE:LINE: ...".
 AbaqusMesh abaqus_mesh(const AbaqusDeck& deck);
 
+/// What an element is given as, whichever of its nodes are the same. types: those of a mesh.
+SolidShape given_shape(const std::vector<AbaqusElements>& types, std::int32_t element);
+
 /// Face of a hexahedron, as face_nodes of kernels/hexahedron.hpp numbers them, that Abaqus calls S1 to S6 (of a wedge
-/// S1 to S5); -1: none.
-int abaqus_face(const std::array<std::int32_t, 8>& hexahedron, int number);
+/// S1 to S5); -1: none. It goes by the places of the nodes: of a hexahedron that has one of them several times some
+/// faces are triangles, and some no faces at all (is_face). given: given_shape() of it.
+int abaqus_face(const std::array<std::int32_t, 8>& hexahedron, SolidShape given, int number);
 
 /// Its corners, counterclockwise from outside; of a triangle the last one stands twice.
 std::array<std::int32_t, 4> corners_of_face(const std::array<std::int32_t, 8>& hexahedron, int face);
+/// Whether these are three nodes or more.
+bool is_face(const std::array<std::int32_t, 4>& corners);
 
 }  // namespace pinball

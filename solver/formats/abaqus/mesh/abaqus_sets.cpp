@@ -21,18 +21,19 @@ void make_ascending(std::vector<std::int32_t>& members) {
 
 }  // namespace
 
-AbaqusSets::AbaqusSets(const std::vector<AbaqusComponent>& components, const std::vector<AbaqusRange>& ranges,
-                       MeshFile& file, std::vector<NumberIndex> nodes, std::vector<NumberIndex> elements)
-    : components_(components),
-      ranges_(ranges),
+AbaqusSets::AbaqusSets(const AbaqusMesh& mesh, MeshFile& file, std::vector<NumberIndex> nodes,
+                       std::vector<NumberIndex> elements)
+    : components_(mesh.components),
+      ranges_(mesh.ranges),
+      types_(mesh.types),
       file_(file),
       nodes_(std::move(nodes)),
       elements_(std::move(elements)),
-      node_sets_(components.size()),
-      element_sets_(components.size()),
-      surfaces_(components.size()) {
-  for (std::size_t c = 0; c < components.size(); ++c) {
-    if (!components[c].key.empty()) component_of_key_.emplace(components[c].key, c);
+      node_sets_(components_.size()),
+      element_sets_(components_.size()),
+      surfaces_(components_.size()) {
+  for (std::size_t c = 0; c < components_.size(); ++c) {
+    if (!components_[c].key.empty()) component_of_key_.emplace(components_[c].key, c);
   }
 }
 

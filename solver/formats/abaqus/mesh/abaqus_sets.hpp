@@ -18,9 +18,9 @@ namespace pinball {
 /// together from many keywords in any order. Members are places in the mesh, ascending.
 class AbaqusSets {
  public:
-  /// nodes, elements: per component, places counted from its first. components, ranges and file have to stay.
-  AbaqusSets(const std::vector<AbaqusComponent>& components, const std::vector<AbaqusRange>& ranges, MeshFile& file,
-             std::vector<NumberIndex> nodes, std::vector<NumberIndex> elements);
+  /// nodes, elements: per component, places counted from its first. mesh, of which components, ranges and types are
+  /// known, and file have to stay.
+  AbaqusSets(const AbaqusMesh& mesh, MeshFile& file, std::vector<NumberIndex> nodes, std::vector<NumberIndex> elements);
 
   /// Nodes or elements that *NODE, NSET= or *ELEMENT, ELSET= gives a name: places from first to before last.
   void add_range(std::size_t component, bool of_nodes, const std::string& name, std::size_t first, std::size_t last);
@@ -87,6 +87,7 @@ class AbaqusSets {
 
   const std::vector<AbaqusComponent>& components_;
   const std::vector<AbaqusRange>& ranges_;
+  const std::vector<AbaqusElements>& types_;
   MeshFile& file_;
   std::map<std::string, std::size_t> component_of_key_;
   std::vector<NumberIndex> nodes_, elements_;

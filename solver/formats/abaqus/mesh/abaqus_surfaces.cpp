@@ -12,8 +12,20 @@
 
 namespace pinball {
 
-int abaqus_face(const std::array<std::int32_t, 8>& hexahedron, int number) {
-  return number < 1 || number > 6 ? -1 : known_shape(shape_of(hexahedron)).abaqus_faces[number - 1];
+SolidShape given_shape(const std::vector<AbaqusElements>& types, std::int32_t element) {
+  const auto next = std::ranges::upper_bound(types, static_cast<std::size_t>(element), {}, &AbaqusElements::first);
+  return next == types.begin() ? SolidShape::hexahedron : std::prev(next)->shape;
+}
+
+int abaqus_face(const std::array<std::int32_t, 8>& hexahedron, SolidShape given, int number) {
+  const SolidShape shape = given == SolidShape::hexahedron ? given : shape_of(hexahedron);
+  return number < 1 || number > 6 ? -1 : known_shape(shape).abaqus_faces[number - 1];
+}
+
+bool is_face(const std::array<std::int32_t, 4>& corners) {
+  std::array<std::int32_t, 4> sorted = corners;
+  std::ranges::sort(sorted);
+  return std::unique(sorted.begin(), sorted.end()) - sorted.begin() >= 3;
 }
 
 std::array<std::int32_t, 4> corners_of_face(const std::array<std::int32_t, 8>& hexahedron, int face) {
@@ -67,9 +79,9 @@ void AbaqusSets::add_faces(std::size_t component, const DataLine& card,
       continue;
     }
     const bool numbered = face.size() == 2 && face[0] == 'S';
-    const int k = numbered ? abaqus_face(hexahedron, face[1] - '0') : -1;
+    const int k = numbered ? abaqus_face(hexahedron, given_shape(types_, e), face[1] - '0') : -1;
     if (k < 0) fail_at(card.place, fmt::format("*SURFACE: expected a face S1 to S6 of a solid, got \"{}\"", f.text(1)));
-    faces.push_back(corners_of_face(hexahedron, k));
+    if (const auto corners = corners_of_face(hexahedron, k); is_face(corners)) faces.push_back(corners);
   }
 }
 
