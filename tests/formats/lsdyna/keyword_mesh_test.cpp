@@ -73,6 +73,10 @@ TEST(KeywordMesh, WhatIsWrongIsNamedByItsNumberAndLine) {
   EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3,11,12,13,14,11,12,13,14\n"),
             "a.k:11: *ELEMENT_SOLID: element 7 has four nodes or less, and fills no tetrahedron: expected n1 n2 n3 n4 "
             "n4 n4 n4 n4");
+  for (const char* line : {"7,3,11,12,13,14,15", "7,3,11,12,14,15,16,18,0,0", "7,3\n11,12,13,14,15,0,0,0"})
+    EXPECT_THAT(error_of(nodes + "*ELEMENT_SOLID\n" + line + "\n"),
+                HasSubstr("*ELEMENT_SOLID: element 7 has seven nodes or less: expected eight, of a wedge"))
+        << line;
   EXPECT_EQ(error_of(nodes + one_line + one_line), "a.k:13: element 7 is given twice, first in a.k:11");
   EXPECT_EQ(error_of(nodes + nodes), "a.k:11: node 11 is given twice, first in a.k:2");
   EXPECT_EQ(error_of(nodes + "*NODE\n$\n19,0,0,0\n\n12,0,0,0\n"), "a.k:14: node 12 is given twice, first in a.k:3");

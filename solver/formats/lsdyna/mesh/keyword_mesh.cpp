@@ -154,6 +154,12 @@ class KeywordMeshReader {
     if (first == 0 && (fields.integer(8) != 0 || fields.integer(9) != 0))
       return add_ten_nodes(fields, to_node, mirrored);
     std::array<std::int32_t, 8> corners{};
+    int given = 0;
+    for (std::size_t i = 4; i < 8; ++i) given += fields.integer(first + i) != 0 ? 1 : 0;
+    if (given != 0 && given != 4)
+      fail_element(fields,
+                   "has seven nodes or less: expected eight, of a wedge n1 n2 n3 n4 n5 n5 n6 n6, of a pyramid "
+                   "n1 n2 n3 n4 n5 n5 n5 n5");
     for (std::size_t i = 0; i < 8; ++i) {
       std::int64_t id = fields.integer(first + i);
       if (id == 0 && i >= 4) id = fields.integer(first + 3);  // of a tetrahedron the last node again
