@@ -38,6 +38,15 @@ TEST_F(DeckCards, AKeywordOfWallsHasAsManyAsItsCards) {
               HasSubstr("expected the plane of the wall"));
 }
 
+/// All six factors are 1 where none is given; one of a rotation leaves the others at 0.
+TEST_F(DeckCards, DampingOfRotationsAloneDampsNothing) {
+  EXPECT_EQ(scene_with("*DAMPING_GLOBAL\n0,5.\n").damping.mass, 5);
+  EXPECT_EQ(scene_with("*DAMPING_GLOBAL\n0,5.,2.,2.,2.,1.,1.,1.\n").damping.mass, 10);
+  const std::string turning = "*DAMPING_GLOBAL\n0,5.,0,0,0,0,0,1.\n";
+  EXPECT_EQ(scene_with(turning).damping.mass, 0);
+  EXPECT_THAT(told(turning), Contains(HasSubstr("*DAMPING_GLOBAL: VALDMP")));
+}
+
 TEST_F(DeckCards, APartThatNothingUsesRefusesNothing) {
   const std::string unused = "*PART\nshell\n9,9,9,9,9\n*SECTION_SHELL\n9,2\n*MAT_NULL\n9,1.\n*EOS_IDEAL_GAS\n9\n";
   EXPECT_EQ(error(cube + elastic + ends + unused), no_error);

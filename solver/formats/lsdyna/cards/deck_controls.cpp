@@ -80,6 +80,8 @@ void write_damping(DeckData& data, DeckScene& scene) {
     return;
   }
   const double value = f.number("VALDMP");
+  if (factors[0] == 0 && f.point("SRX") != Point{})  // all six are 1 where none is given
+    return data.report.unused(card->place, "*DAMPING_GLOBAL: VALDMP", "SRX, SRY and SRZ alone are given a factor");
   const auto keys = scene.table<DampingSettings>("damping", {"*DAMPING_GLOBAL", card->place});
   keys.comment("");
   keys.set("mass", factors[0] == 0 ? value : factors[0] * value, "valdmp");  // all blank: 1
