@@ -41,6 +41,17 @@ TEST_F(DeckMasses, AreOfANodeOrOfASetInEqualShares) {
       << "those of one node add up";
 }
 
+/// As in all other keywords, and nodes of it that are there get none.
+TEST_F(DeckMasses, OfASetThatHasSomethingWrongAreRefused) {
+  const std::string wrong = "*SET_NODE_LIST\n7\n1,2,999\n";
+  EXPECT_THAT(error(deck_ + wrong + of_set_ + "4,7,8.E-9\n"), HasSubstr("*SET_NODE_LIST: node 999 is not there"));
+  EXPECT_THAT(error(deck_ + "*SET_NODE_GENERAL\n7\nNODE,1\nPART,5\n" + of_set_ + "4,7,8.E-9\n"),
+              HasSubstr("no part has the number 5"));
+  const std::string rigid = "*NODE\n50,9.,9.,9.\n*SET_NODE_LIST\n8\n50,999,1\n*CONSTRAINED_EXTRA_NODES_SET\n1,8\n",
+                    law = "*MAT_RIGID\n1,7.85E-9,210000.,0.3\n";
+  EXPECT_THAT(error(cube + law + ends + rigid), HasSubstr("*SET_NODE_LIST: node 999 is not there"));
+}
+
 TEST_F(DeckMasses, AreTheSameAsInAScene) {
   const std::string moving = "*INITIAL_VELOCITY_NODE\n7,0.,0.,-100.\n";
   const std::string mass = card_ + "3,7,4.E-9\n";

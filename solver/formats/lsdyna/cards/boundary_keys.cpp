@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include <solver/base/error.hpp>
 #include <solver/formats/lsdyna/layouts/control_cards.hpp>
 
 #include "deck_parts.hpp"
@@ -93,7 +94,9 @@ std::vector<std::int32_t> nodes_of_card(const DeckData& data, const KeywordBlock
   const std::int64_t id = f.integer(field);
   if (!set) return {data.nodes.find(node_number(block, id))};
   const MeshSet* found = find_set(data.mesh.node_sets, std::to_string(set_number(block, id)));
-  return found == nullptr ? std::vector<std::int32_t>{} : found->members;
+  if (found == nullptr) return {};
+  if (!found->problem.empty()) throw InputError(found->problem);
+  return found->members;
 }
 
 double end_of_run(const DeckData& data) {

@@ -49,6 +49,7 @@ void set_selection(const DeckData& data, const KeywordBlock& block, const Fields
 void set_target(const KeywordBlock& block, bool set, std::int64_t id, const DeckKeys<NodeSelection>& keys);
 
 /// The same in the mesh, of a number in this field; those of a set that is not there are none, which is said elsewhere.
+/// Throws InputError for a set that has something wrong.
 std::vector<std::int32_t> nodes_of_card(const DeckData& data, const KeywordBlock& block, bool set, const Fields& f,
                                         std::size_t field = 0);
 
