@@ -92,6 +92,16 @@ TEST_F(RadiossDifferences, AnIncludedFileThatEndsEndsNothingElse) {
   EXPECT_EQ(scene(text).bodies.size(), 1U);
 }
 
+/// As OpenRadioss' reader has it; other lines that begin so are comments.
+TEST_F(RadiossDifferences, IncludesHaveNoCase) {
+  std::ofstream((folder_ / "steel.inc").string()) << radioss_steel;
+  for (const char* keyword : {"#include", "#INCLUDE", "#Include"})
+    EXPECT_EQ(
+        scene(radioss_begin + "#inc\n" + keyword + " steel.inc\n" + radioss_property + radioss_cube).materials.size(),
+        1U)
+        << keyword;
+}
+
 TEST_F(RadiossDifferences, SkewsHaveAnOriginFromVersion120On) {
   const auto direction = [&](const char* version, const std::string& origin) {
     std::string begin = radioss_begin;

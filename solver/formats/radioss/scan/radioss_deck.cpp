@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view include = "#include";
 constexpr std::size_t deepest_radioss_include = 15;  // as the starter has it
 constexpr std::int64_t oldest_version = 51;          // from which on fields have ten and twenty columns
 
@@ -86,7 +87,10 @@ class RadiossReader {
     open_.pop_back();
   }
 
-  static bool is_special(std::string_view line) { return line.starts_with('/') || line.starts_with("#include"); }
+  /// An #include has no case, as OpenRadioss reads it.
+  static bool is_special(std::string_view line) {
+    return line.starts_with('/') || (line.starts_with('#') && lower_case(line.substr(0, include.size())) == include);
+  }
 
   static std::string_view first_line(std::string_view text) { return text.substr(0, text.find('\n')); }
 
@@ -114,7 +118,7 @@ class RadiossReader {
     const std::string_view line = first_line(rest);
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     ++place.line;
-    if (line.starts_with('#')) return open_included(trimmed(line.substr(std::string_view("#include").size())), place);
+    if (line.starts_with('#')) return open_included(trimmed(line.substr(include.size())), place);
     RadiossBlock block;
     block.place = place;
     block.engine = in_engine_;
