@@ -193,6 +193,16 @@ TEST_F(RadiossTest, OtherUnitsAreRefused) {
   const std::string text = radioss_begin + units + "/MAT/ELAST/1/4\nsteel\n" + twenty({7850, 0}) +
                            twenty({2.1e11, 0.3}) + radioss_property + radioss_cube;
   EXPECT_THAT(error(text), HasSubstr("/MAT/ELAST/1/4 in units other than those of /BEGIN"));
+  const std::string small = "/UNIT/4\nmilligrams\n                  mg                  mm                   s\n";
+  EXPECT_THAT(error(radioss_begin + small + text.substr(text.find("/MAT/ELAST"))),
+              HasSubstr("/MAT/ELAST/1/4 in units"));
+  std::string nodes = cube_with(units);
+  nodes.replace(nodes.find("/NODE"), 5, "/NODE/4");
+  EXPECT_THAT(error(nodes), HasSubstr("/NODE/4 in units other than those of /BEGIN"));
+  EXPECT_EQ(error(nodes.replace(nodes.find(units), units.size(),
+                                "/UNIT/4\nown\n                  Mg                  mm"
+                                "                   s\n")),
+            no_error);
 }
 
 TEST_F(RadiossTest, GroupsAreThoseOfTheirKinds) {

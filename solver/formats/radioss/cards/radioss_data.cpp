@@ -23,9 +23,17 @@ std::string plain_name(const std::string& title) {
   return name;
 }
 
-/// Three words, without case: two systems of units are the same where these are.
+/// Three words: two systems of units are the same where these are. Case counts where it tells mega from milli, and peta
+/// from pico.
 std::string units_text(const RadiossFields& f) {
-  return lower_case(fmt::format("{} {} {}", f.text(std::size_t{0}), f.text(std::size_t{1}), f.text(std::size_t{2})));
+  std::string all;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string given = f.text(i);
+    std::string word = lower_case(given);
+    if (given.size() > 1 && (given[0] == 'M' || given[0] == 'P')) word[0] = given[0];
+    all += word + " ";
+  }
+  return all;
 }
 
 /// Where points do not reach from 0 to the end of the run, functions of Radioss go on along their first and their last

@@ -29,8 +29,11 @@ struct RadiossBlock {
 
   /// The number of what it defines. Throws InputError where there is none.
   std::int64_t id() const;
-  /// The number of its units, behind that of what it defines; 0: those of the deck.
-  std::int64_t unit() const { return numbers.size() > 1 ? numbers[1] : 0; }
+  /// The number of its units, behind that of what it defines, which /NODE has not; 0: those of the deck.
+  std::int64_t unit() const {
+    const std::size_t at = name == "NODE" ? 0 : 1;
+    return numbers.size() > at ? numbers[at] : 0;
+  }
 };
 
 /// The lines of a block that are no comments, one after the other. A title is not among them.
