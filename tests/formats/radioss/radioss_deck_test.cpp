@@ -109,6 +109,13 @@ TEST_F(RadiossTest, TabsAreRefusedInColumnsAlone) {
   EXPECT_EQ(time.smallest_step, 1e-9);
 }
 
+TEST_F(RadiossTest, TheStepOfSolidsCountsBeforeThatOfAll) {
+  engine_ = radioss_run + "/DT\n0.9 0\n/DT/BRICK/STOP\n0.5 0\n";
+  EXPECT_EQ(scene(cube_with("")).time.cfl, 0.5);
+  engine_ += "/DT/NODA\n0.7 0\n";
+  EXPECT_EQ(scene(cube_with("")).time.cfl, 0.7);
+}
+
 /// Points of a + b e^n, so near to each other that lines between them are the law; from a strain of 4 on it goes on
 /// straight.
 TEST_F(RadiossTest, APowerOfTheStrainIsACurve) {

@@ -112,7 +112,7 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"DT", done, "Tsca; Tmin is not used"},
       {"DT/NODA", done, "the same: the step is that of elements"},
       {"DT/NODA/CST", done, "Tsca and Tmin: mass scaling at the start"},
-      {"DT/BRICK/STOP", ignored, "no step is too small"},
+      {"DT/BRICK/STOP", done, "Tsca, which counts before that of DT; Tmin is not used"},
       {"DT/INTER/DEL", ignored, "contact limits no step"},
       {"DT/SHELL*", ignored, "there are no shells"},
       {"DT/SH_3N*", ignored, "there are no shells"},
