@@ -38,6 +38,16 @@ TEST_F(DeckCards, AKeywordOfWallsHasAsManyAsItsCards) {
               HasSubstr("expected the plane of the wall"));
 }
 
+TEST_F(DeckCards, ATitleMayBeTheNameOfAPartWithoutOne) {
+  std::string titled = cube;
+  titled.replace(titled.find("cube\n"), 4, "part_2");
+  const Scene two = scene(titled + elastic + ends + "*NODE\n" + square_lines(11, 2) +
+                          "*ELEMENT_SOLID\n11,2,5,6,7,8,11,12,13,14\n*PART\n\n2,1,1\n");
+  ASSERT_EQ(two.bodies.size(), 2U);
+  EXPECT_EQ(two.bodies[0].name, "part_2");
+  EXPECT_EQ(two.bodies[1].name, "part_2_2");
+}
+
 /// All six factors are 1 where none is given; one of a rotation leaves the others at 0.
 TEST_F(DeckCards, DampingOfRotationsAloneDampsNothing) {
   EXPECT_EQ(scene_with("*DAMPING_GLOBAL\n0,5.\n").damping.mass, 5);

@@ -223,6 +223,16 @@ TEST_F(RadiossTest, GroupsAreThoseOfTheirKinds) {
   EXPECT_EQ(file.face_sets.at(0).faces.size(), 6U);
 }
 
+TEST_F(RadiossTest, ATitleMayBeTheNameOfAPartWithoutOne) {
+  std::string titled = cube_with("/PART/2\n\n" + ten({"1", "1", "0"}) + "/NODE\n" + square_nodes(11, 2) + "/BRICK/2\n" +
+                                 ten({"11", "5", "6", "7", "8", "11", "12", "13", "14"}));
+  titled.replace(titled.find("/PART/1\ncube"), 12, "/PART/1\npart_2");
+  const Scene two = scene(titled);
+  ASSERT_EQ(two.bodies.size(), 2U);
+  EXPECT_EQ(two.bodies[0].name, "part_2");
+  EXPECT_EQ(two.bodies[1].name, "part_2_2");
+}
+
 TEST_F(RadiossTest, ARigidBodyOfNodesAloneHasTheirCentre) {
   const std::string text =
       cube_with("/NODE\n" + ten({"99"}) + "/GRNOD/NODE/1\ntop\n" + ten({"5", "6", "7", "8"}) + "/RBODY/1\ntop\n" +

@@ -9,6 +9,7 @@
 #include <set>
 
 #include <solver/base/error.hpp>
+#include <solver/formats/deck/names_once.hpp>
 
 namespace pinball {
 
@@ -87,12 +88,11 @@ void AbaqusData::throw_at_element(std::size_t e, const std::string& part) const 
 void AbaqusData::name_bodies() {
   std::vector<std::int64_t> elements(mesh.file.parts.size(), 0);
   for (const std::int32_t part : mesh.file.part) ++elements[part];
-  std::set<std::string> taken;
+  NamesOnce names;
   for (std::size_t s = 0; s < mesh.sections.size(); ++s) {
     if (elements[s] == 0) continue;
     const AbaqusSection& section = mesh.sections[s];
-    std::string name = plain_name(section.part);
-    if (!taken.insert(name).second) taken.insert(name += fmt::format("_{}", s));
+    const std::string plain = plain_name(section.part), name = names.take(plain, fmt::format("{}_{}", plain, s));
     if (section.is_rigid()) {
       bodies.push_back({name, section.part, "", s});
       report.understood(fmt::format("{}: body {} of {} rigid elements", section.part, name, elements[s]));

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <set>
 
 #include <solver/base/error.hpp>
+#include <solver/formats/deck/names_once.hpp>
 #include <solver/formats/lsdyna/layouts/definition_cards.hpp>
 #include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
 #include <solver/formats/lsdyna/mesh/part_inertia.hpp>
@@ -319,12 +319,8 @@ void DeckData::name_bodies() {
     materials_.insert(found->second.material);
   }
   std::ranges::sort(parts, {}, &DeckPart::id);  // whatever their order in the deck: the scene is the same
-  std::set<std::string> taken;
-  for (DeckPart& part : parts) {
-    part.body = name_of(titles_[part.id]);
-    if (part.body.empty() || !taken.insert(part.body).second) part.body = fmt::format("part_{}", part.id);
-    taken.insert(part.body);
-  }
+  NamesOnce names;
+  for (DeckPart& part : parts) part.body = names.take(name_of(titles_[part.id]), fmt::format("part_{}", part.id));
 }
 
 const DeckCurve& DeckData::find_curve(std::int64_t id, const DeckPlace& place) const {

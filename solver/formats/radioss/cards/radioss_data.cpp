@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <solver/base/error.hpp>
+#include <solver/formats/deck/names_once.hpp>
 #include <solver/formats/radioss/layouts/radioss_control_cards.hpp>
 #include <solver/formats/radioss/layouts/radioss_mesh_cards.hpp>
 
@@ -138,10 +139,9 @@ void RadiossData::name_bodies() {
     bodies.push_back({plain_name(found->second.title), found->second, solids[p]});
   }
   std::ranges::sort(bodies, {}, [](const RadiossBody& body) { return body.part.id; });
-  std::set<std::string> taken;
+  NamesOnce names;
   for (RadiossBody& body : bodies) {
-    if (body.name.empty() || !taken.insert(body.name).second) body.name = fmt::format("part_{}", body.part.id);
-    taken.insert(body.name);
+    body.name = names.take(body.name, fmt::format("part_{}", body.part.id));
     report.understood(fmt::format("part {}: body {} of {} solids, material mat_{}", body.part.id, body.name,
                                   body.solids, body.part.material));
   }
