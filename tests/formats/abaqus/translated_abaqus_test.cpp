@@ -69,6 +69,8 @@ TEST_F(Abaqus, ReadsPlasticityAsTableRatesAndLaws) {
   const Material line = material("*PLASTIC\n300., 0.\n400., 0.2\n");
   EXPECT_DOUBLE_EQ(line.plastic_modulus, 500);
   EXPECT_EQ(line.ultimate_stress, 400);
+  const Material falls = material("*PLASTIC\n300., 0.\n200., 0.1\n");
+  EXPECT_THAT(falls.yield_curves.at(0).stress, ElementsAre(300, 200, 200));
   const Material table = material("*PLASTIC\n300., 0.\n400., 0.1\n450., 0.3\n");
   EXPECT_THAT(table.yield_curves.at(0).plastic_strain, ElementsAre(0, 0.1, 0.3, 1.3));
   EXPECT_THAT(table.yield_curves.at(0).stress, ElementsAre(300, 400, 450, 450)) << "no hardening behind the table";

@@ -76,9 +76,9 @@ GivenValue given_curve(Curve curve, double factor, std::optional<double> rate) {
   return keys.value();
 }
 
-/// Of one or two points as a line that ends, of more as a curve.
+/// Of one or two points as a line that ends, of more as a curve, and where it falls.
 void set_curve(const Curve& curve, const MaterialKeys& keys) {
-  if (curve.stress.size() > 2) {
+  if (curve.stress.size() > 2 || (curve.stress.size() == 2 && curve.stress[1] < curve.stress[0])) {
     keys.set("yield_curve", given_curve(curve, 1.0, {}));
     return;
   }
