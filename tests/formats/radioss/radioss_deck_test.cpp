@@ -233,6 +233,40 @@ TEST_F(RadiossTest, ATitleMayBeTheNameOfAPartWithoutOne) {
   EXPECT_EQ(two.bodies[1].name, "part_2_2");
 }
 
+/// The surface of a set of solids goes round these, also where others are beside them; that of contact does not.
+TEST_F(RadiossTest, NodesOfTheSurfaceOfAPartAreAllAroundIt) {
+  std::string nodes = "/NODE\n", layers;
+  const auto at = [](int x, int y, int z) { return 100 + x + 3 * (y + 3 * z); };
+  for (int n = 0; n < 27; ++n) nodes += fmt::format("{:>10}{:>20}{:>20}{:>20}\n", 100 + n, n % 3, n / 3 % 3, 3 + n / 9);
+  for (int e = 0; e < 8; ++e) {
+    const int x = e % 2, y = e / 2 % 2, z = e / 4;
+    if (e % 4 == 0)
+      layers += fmt::format("/PART/{}\nlayer\n", 2 + z) + ten({"1", "1", "0"}) + fmt::format("/BRICK/{}\n", 2 + z);
+    layers += fmt::format("{:>10}", 20 + e);
+    for (const int up : {z, z + 1})
+      layers += fmt::format("{:>10}{:>10}{:>10}{:>10}", at(x, y, up), at(x + 1, y, up), at(x + 1, y + 1, up),
+                            at(x, y + 1, up));
+    layers += "\n";
+  }
+  const std::string groups = "/GRBRIC/PART/3\ng\n" + ten({"3"}) + "/SURF/GRBRIC/EXT/4\ns\n" + ten({"3"}) +
+                             "/SURF/PART/EXT/5\ns\n" + ten({"2"}) + "/SURF/PART/EXT/6\ns\n" + ten({"2", "3"}) +
+                             "/GRNOD/SURF/4\ng\n" + ten({"4"}) + "/GRNOD/SURF/5\ng\n" + ten({"5"}) +
+                             "/GRNOD/SURF/6\ng\n" + ten({"6"});
+  translate(cube_with(nodes + layers + groups));
+  const MeshFile file = read_mesh_file({.format = MeshFormat::radioss, .file = path_, .part = {}}, {});
+  const std::array<std::size_t, 3> faces{12, 12, 24}, of_surface{18, 18, 26};
+  for (std::size_t set = 0; set < 3; ++set) {
+    EXPECT_EQ(file.face_sets.at(set).faces.size(), faces[set]);
+    EXPECT_EQ(file.node_sets.at(set).members.size(), of_surface[set]) << set;
+  }
+  EXPECT_EQ(std::ranges::count_if(file.notes,
+                                  [](const std::string& note) {
+                                    return note.ends_with(
+                                        "4 faces that other solids have, too, not in it: nothing touches there");
+                                  }),
+            2);
+}
+
 TEST_F(RadiossTest, ARigidBodyOfNodesAloneHasTheirCentre) {
   const std::string text =
       cube_with("/NODE\n" + ten({"99"}) + "/GRNOD/NODE/1\ntop\n" + ten({"5", "6", "7", "8"}) + "/RBODY/1\ntop\n" +

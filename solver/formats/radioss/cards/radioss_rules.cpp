@@ -59,7 +59,7 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"GRNOD/SUBSET", mesh, ""},
       {"GRNOD/MAT", mesh, ""},
       {"GRNOD/PROP", mesh, ""},
-      {"GRNOD/SURF", mesh, ""},
+      {"GRNOD/SURF", mesh, "of SURF/.../EXT all nodes around its solids"},
       {"GRNOD/BOX", mesh, "of BOX/RECTA"},
       {"GRBRIC/BRIC", mesh, ""},
       {"GRBRIC/GENE", mesh, ""},

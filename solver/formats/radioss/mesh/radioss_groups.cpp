@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
 #include <solver/base/face_corners.hpp>
 #include <solver/base/faces.hpp>
@@ -143,11 +144,12 @@ RadiossGroups::Places RadiossGroups::nodes_of(const RadiossBlock& block) {
   return all;
 }
 
-/// Segments have the nodes that they name; faces of solids those on their edges, too.
+/// Segments have the nodes that they name; the outside of solids those on its edges, too, and those that it has in
+/// common with other solids.
 RadiossGroups::Places RadiossGroups::nodes_of_surface(const RadiossBlock& block) {
   const std::string kind = kind_of(block);
   if (kind == "SEG") return nodes_of_faces(faces_of(block));
-  if (kind != "SURF") return middles_.nodes_of(faces_of(block));
+  if (kind != "SURF") return middles_.nodes_of(outside_of(bricks_of_surface(block)).all);
   Places all;
   ++depth_;
   for_each_radioss_member(block, [&](std::int64_t id, const DeckPlace& place) {
@@ -191,14 +193,13 @@ std::vector<RadiossGroups::Face> RadiossGroups::faces_of(const RadiossBlock& blo
     for_each_radioss_member(block, [&](std::int64_t id, const DeckPlace& place) {
       add_all(faces, faces_of(find(surfaces_, "SURF", id, place)));
     });
-  } else if (kind == "GRBRIC") {
-    Places all;
-    for_each_radioss_member(block, [&](std::int64_t id, const DeckPlace& place) {
-      add_all(all, bricks_of(find(brick_groups_, "GRBRIC", id, place)));
-    });
-    faces = surface_of(all);
   } else {
-    faces = surface_of(bricks_of_parts(block, kind));
+    const Outside outside = outside_of(bricks_of_surface(block));
+    faces = outside.of_mesh;
+    const std::size_t inside = outside.all.size() - faces.size();
+    const std::string note = fmt::format("{} ({}): {} that other solids have, too, not in it: nothing touches there",
+                                         block.title, block.place.text(), counted(inside, "face", "faces"));
+    if (inside > 0 && std::ranges::find(file_.notes, note) == file_.notes.end()) file_.notes.push_back(note);
   }
   --depth_;
   return faces;
@@ -285,15 +286,31 @@ RadiossGroups::Face RadiossGroups::segment(const RadiossFields& fields) const {
   return face;
 }
 
-std::vector<RadiossGroups::Face> RadiossGroups::surface_of(const Places& bricks) {
+/// Of parts, or of a group of solids.
+RadiossGroups::Places RadiossGroups::bricks_of_surface(const RadiossBlock& block) {
+  const std::string kind = kind_of(block);
+  if (kind != "GRBRIC") return bricks_of_parts(block, kind);
+  Places all;
+  for_each_radioss_member(block, [&](std::int64_t id, const DeckPlace& place) {
+    add_all(all, bricks_of(find(brick_groups_, "GRBRIC", id, place)));
+  });
+  sort_and_keep_one_of_each(all);
+  return all;
+}
+
+RadiossGroups::Outside RadiossGroups::outside_of(const Places& bricks) {
   if (neighbours_.empty()) neighbours_ = face_neighbours(file_.mesh.hexahedra);
-  std::vector<Face> faces;
+  std::vector<bool> is_in(file_.mesh.hexahedra.size(), false);
+  for (const std::int32_t e : bricks) is_in[e] = true;
+  Outside outside;
   for (const std::int32_t e : bricks) {
     for (std::size_t f = 0; f < 6; ++f) {
-      if (neighbours_[e][f] == -1) faces.push_back(face_of(file_.mesh.hexahedra[e], f));
+      const std::int32_t other = neighbours_[e][f];
+      if (other == -1) outside.of_mesh.push_back(face_of(file_.mesh.hexahedra[e], f));
+      if (other == -1 || (other >= 0 && !is_in[other])) outside.all.push_back(face_of(file_.mesh.hexahedra[e], f));
     }
   }
-  return faces;
+  return outside;
 }
 
 }  // namespace pinball

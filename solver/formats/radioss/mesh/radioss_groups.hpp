@@ -43,8 +43,12 @@ class RadiossGroups {
   Places bricks_of_parts(const RadiossBlock& block, std::string_view kind) const;
   Places nodes_of_bricks(const Places& bricks) const;
   Face segment(const RadiossFields& fields) const;
-  /// Faces of these elements on the surface of the mesh.
-  std::vector<Face> surface_of(const Places& bricks);
+  Places bricks_of_surface(const RadiossBlock& block);
+  /// Faces of some solids that no other one of them has, and those of these on the surface of the mesh.
+  struct Outside {
+    std::vector<Face> all, of_mesh;
+  };
+  Outside outside_of(const Places& bricks);
 
   const RadiossDeck& deck_;
   const RadiossParts& parts_;
