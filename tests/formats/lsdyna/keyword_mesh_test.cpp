@@ -110,6 +110,22 @@ TEST(KeywordMesh, HasTheSetsOfTheDeck) {
   EXPECT_THAT(file.face_sets[0].faces[0], ElementsAre(0, 1, 2, 3));
 }
 
+/// Of two cubes, of which the second is part 4.
+TEST(KeywordMesh, PartsOfSegmentsAreThreeAndThenAttributes) {
+  const std::string second =
+      "*NODE\n21,5,0,0\n22,6,0,0\n23,6,1,0\n24,5,1,0\n25,5,0,1\n26,6,0,1\n27,6,1,1\n28,5,1,1\n"
+      "*ELEMENT_SOLID\n8,4,21,22,23,24,25,26,27,28\n";
+  const auto faces = [&](const std::string& lines) {
+    const MeshFile file = read(nodes + one_line + second + "*SET_SEGMENT_GENERAL\n9\n" + lines);
+    EXPECT_EQ(file.face_sets[0].problem, "");
+    return std::pair(file.face_sets[0].faces.size(), file.notes.size());
+  };
+  EXPECT_EQ(faces("PART,3\n"), std::pair(6UL, 0UL));
+  EXPECT_EQ(faces("PART,3,4\n"), std::pair(12UL, 0UL));
+  EXPECT_EQ(faces("PART,3,0,0,4.,0.5\n"), std::pair(6UL, 1UL));
+  EXPECT_EQ(faces("ALL\nDPART,0,0,0,4\n"), std::pair(6UL, 0UL));
+}
+
 TEST(KeywordMesh, SetsHaveAllForms) {
   const MeshFile file = read(nodes + one_line +
                              "*SET_NODE_LIST_GENERATE_INCREMENT\n1\n11,18,3\n*SET_NODE_COLUMN\n2\n13,0.5\n14,0.5\n"

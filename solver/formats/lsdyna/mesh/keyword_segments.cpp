@@ -87,7 +87,7 @@ class Segments {
   void add_general(const KeywordBlock& block, const Fields& fields, std::vector<Face>& faces) {
     const std::string option = upper_case(fields.text("OPTION"));
     const bool removes = option.starts_with('D');
-    const std::vector<Face> some = faces_of(block, removes ? option.substr(1) : option, fields);
+    const std::vector<Face> some = faces_of(block, removes ? option.substr(1) : option, removes, fields);
     if (!removes) {
       faces.insert(faces.end(), some.begin(), some.end());
       return;
@@ -98,18 +98,26 @@ class Segments {
     std::erase_if(faces, [&](const Face& f) { return std::binary_search(taken.begin(), taken.end(), face_key(f)); });
   }
 
-  std::vector<Face> faces_of(const KeywordBlock& block, const std::string& option, const Fields& fields) {
+  /// Of PART and BOX the last four are attributes of the segments, but where these are taken away.
+  std::vector<Face> faces_of(const KeywordBlock& block, const std::string& option, bool removes, const Fields& fields) {
     if (option == "SEG") return {segment(block, fields, 1)};
     if (option == "ALL") return of_surface([](const SurfaceFace&) { return true; });
     if (option != "PART" && option != "BOX")
       fail_at(fields.place(), fmt::format("{}: option {} is not read", block.star_name(), fields.text("OPTION")));
     std::vector<Face> faces;
-    for (std::size_t i = 1; i < 8; ++i) {
+    for (std::size_t i = 1; i < (removes ? 8U : 4U); ++i) {
       const std::int64_t number = fields.integer(i);
       if (number == 0) continue;
       const auto more = option == "PART" ? of_part(block, number, fields) : in_box(block, number, fields);
       faces.insert(faces.end(), more.begin(), more.end());
     }
+    std::vector<std::string_view> attributes;
+    for (std::size_t i = 4; i < 8 && !removes; ++i) {
+      if (!fields.blank(i) && fields.text(i) != "0") attributes.push_back(fields.name(i));
+    }
+    if (!attributes.empty())
+      file_.notes.push_back(fmt::format("not used: {}: {} of {} ({}): attributes of segments", block.star_name(),
+                                        fmt::join(attributes, ", "), option, fields.place().text()));
     return faces;
   }
 
