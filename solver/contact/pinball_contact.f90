@@ -147,17 +147,29 @@ contains
     end do
   end function
 
-  ! Vectors that lie as x(3, :) or x(4, :) do, or longer ones of which the first three numbers count.
+  ! Vectors that lie as x(3, :) or x(4, :) do, or longer ones of which the first three numbers count: also sections, such
+  ! as state(4:6, :). Not CONTIGUOUS: what is not would be handed in as a copy, whose address means nothing afterwards.
   function pinball_contact_vectors(x) result(input)
-    real(c_double), intent(in), target, contiguous :: x(:, :)
+    real(c_double), intent(in), target :: x(:, :)
     type(pinball_contact_input) :: input
-    input = pinball_contact_input(c_loc(x(1, 1)), c_loc(x(2, 1)), c_loc(x(3, 1)), size(x, 1, c_int64_t))
+    input = pinball_contact_input(c_loc(x(1, 1)), c_loc(x(2, 1)), c_loc(x(3, 1)), numbers_between(x))
   end function
 
   ! The same for what is added to.
   function pinball_contact_forces(f) result(output)
-    real(c_double), intent(inout), target, contiguous :: f(:, :)
+    real(c_double), intent(inout), target :: f(:, :)
     type(pinball_contact_output) :: output
-    output = pinball_contact_output(c_loc(f(1, 1)), c_loc(f(2, 1)), c_loc(f(3, 1)), size(f, 1, c_int64_t))
+    output = pinball_contact_output(c_loc(f(1, 1)), c_loc(f(2, 1)), c_loc(f(3, 1)), numbers_between(f))
+  end function
+
+  ! From a node to the next one, as they lie.
+  integer(c_int64_t) function numbers_between(x)
+    real(c_double), intent(in), target :: x(:, :)
+    integer(c_intptr_t) :: first, second
+    numbers_between = size(x, 1, c_int64_t)
+    if (size(x, 2) < 2) return
+    first = transfer(c_loc(x(1, 1)), first)
+    second = transfer(c_loc(x(1, 2)), second)
+    numbers_between = (second - first) / c_sizeof(x(1, 1))
   end function
 end module
