@@ -1,5 +1,6 @@
 #include <map>
 #include <optional>
+#include <string_view>
 
 #include <solver/base/error.hpp>
 #include <solver/contact/embedded_contact.hpp>
@@ -165,8 +166,14 @@ class ContactObject {
                            std::int64_t size) {
     if (!given) return nullptr;
     const py::array there = array_of(*given);
+    const std::string_view taken_kinds = type.kind() == 'f' ? "fiub" : "iub";
+    if (there.size() > 0 && taken_kinds.find(there.dtype().kind()) == std::string_view::npos) {
+      throw InputError(std::string(name) + ": expected " + (type.kind() == 'f' ? "" : "whole ") + "numbers, got " +
+                       text_of(there.dtype()));
+    }
+    // By their values: numbers of Python are of 64 bits with a sign, whatever they are.
     const py::object made =
-        there.attr("astype")(type, py::arg("order") = "C", py::arg("casting") = "same_kind", py::arg("copy") = false);
+        there.attr("astype")(type, py::arg("order") = "C", py::arg("casting") = "unsafe", py::arg("copy") = false);
     if (!made.is(there) && type.kind() != 'f' && !there.attr("__eq__")(made).attr("all")().cast<bool>()) {
       throw InputError(std::string(name) + ": expected numbers that " + text_of(type) + " can hold");
     }

@@ -127,6 +127,16 @@ class TwoBars(unittest.TestCase):
         other.run(other.contact())
         np.testing.assert_array_equal(bars.v, other.v)
 
+    def test_take_flags_of_any_whole_numbers(self):
+        bars = Bars()
+        count = len(bars.corners)
+        contact = bars.contact(hidden_faces=[0] * count)
+        for alive in ([1] * count, [True] * count, np.ones(count, np.int64), np.ones(count, np.uint8)):
+            contact.update(bars.x, bars.v, 0.0, alive=alive)
+            contact.add_forces(bars.f, 0.0)
+        with self.assertRaisesRegex(pinball.InputError, "alive: expected whole numbers, got float64"):
+            contact.update(bars.x, bars.v, 0.0, alive=[1.0] * count)
+
 
 class Spheres(unittest.TestCase):
     def test_push_each_other_apart(self):
@@ -153,6 +163,10 @@ class Errors(unittest.TestCase):
             ({"mass": bars.mass[:-1]}, "mass: expected 88 numbers, got 87"),
             ({"corners": bars.corners + 1000}, "corners"),
             ({"body": bars.body.astype(np.int64) << 32}, "body: expected numbers that int32 can hold"),
+            ({"body": [0.0] * len(bars.body)}, "body: expected whole numbers, got float64"),
+            ({"hidden_faces": [256] * len(bars.body)}, "hidden_faces: expected numbers that uint8 can hold"),
+            ({"hidden_faces": [-1] * len(bars.body)}, "hidden_faces: expected numbers that uint8 can hold"),
+            ({"mass": [1j] * len(bars.mass)}, "mass: expected numbers, got complex128"),
             ({"position": bars.x.astype(int)}, "position: expected numbers of float64 or float32, got int64"),
             ({"position": bars.x[:, :2]}, "position: expected an array of shape"),
         ]:
