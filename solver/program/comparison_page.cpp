@@ -9,8 +9,20 @@
 
 #include "comparison_report.hpp"
 #include "others/beside_report.hpp"
+#include "study/run_results.hpp"
 
 namespace pinball {
+
+namespace {
+
+/// The unit of each column of histories.
+std::string units_of_columns(const Curves& curves, const Units& units) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const std::string& column : curves.columns) json[column] = unit_of_quantity(column, units);
+  return json.dump();
+}
+
+}  // namespace
 
 std::string comparison_page(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others) {
   const RunSummary& first = runs.front().repeats.front();
@@ -37,6 +49,7 @@ std::string comparison_page(const std::vector<VariantRuns>& runs, const std::vec
                     {"comparison", comparison_json(runs, others)},
                     {"other_histories", beside_curves_json(runs, others)},
                     {"curves", curves + ']'},
+                    {"column_units", units_of_columns(runs.front().curves, parse_units(first.units))},
                     {"surfaces", surfaces + ']'}};
   return make_page(content);
 }

@@ -316,6 +316,28 @@ class OtherPages(Pages):
         self.open("patch/index.html")
         self.assertNotIn("Probes", self.texts("h2"))
 
+    def test_a_comparison_has_the_unit_of_each_quantity(self):
+        place("spin.toml").write_text("""
+            units = "g-mm-ms"
+            time.end = 0.01
+            rigid_body = [{ name = "drum", bodies = ["bar"], angular_velocity = [0, 0, 100] }]
+            [[material]]
+            name = "m"
+            model = "elastic"
+            density = 2.7e-3
+            bulk_modulus = 7e4
+            shear_modulus = 3e4
+            [[body]]
+            name = "bar"
+            material = "m"
+            mesh = { type = "block", size = [4, 1, 1], elements = [4, 1, 1] }
+            """)
+        run("compare", str(place("spin.toml")), "--vary", "time.cfl=0.5,0.6", "--repeat", "1", "--quiet", "--page", "spin.html")
+        self.open("spin.html")
+        axis = lambda title: self.panel(title).find_element(By.CSS_SELECTOR, ".axis").text
+        self.assertIn("[1/ms]", axis("drum angular velocity z"))
+        self.assertRegex(axis("drum centre x"), r"mm\]$")
+
     def test_a_comparison_lays_curves_over_each_other(self):
         run("compare", "rod_plate", "--vary", "contact.enforcement=penalty,lagrange", "--repeat", "1", "--quiet", "--set", "time.end=1e-5",
             "--page", "compare.html")

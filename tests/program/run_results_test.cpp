@@ -137,12 +137,36 @@ TEST(UnitOfQuantity, IsThatOfTheScene) {
                                        {"bodies.bar.mass_remaining", units.mass},
                                        {"bodies.bar.max_plastic_strain", std::string()},
                                        {"load_work", units.energy},
+                                       {"drum_angular_velocity_z", "1/ms"},
+                                       {"drum_angular_velocity_z:integral", std::string()},
+                                       {"rigid_bodies.drum.angular_velocity.z", "1/ms"},
+                                       {"rigid_bodies.drum.angular_momentum.z", "N ms mm"},
+                                       {"rigid_bodies.drum.inertia.2.x", "g mm^2"},
+                                       {"rigid_bodies.drum.centre.x", units.length},
+                                       {"drum_centre_x", units.length},
+                                       {"drum_centre_velocity_x", units.velocity},
+                                       {"drum_centre_velocity_x:integral", units.length},
+                                       {"drum_reaction_moment_z", "N mm"},
+                                       {"hinge_joint_moment_x:integral", "N ms mm"},
+                                       {"joints.hinge.moment.x", "N mm"},
+                                       {"joints.hinge.opening", std::string()},
+                                       {"momentum_z", units.momentum},
+                                       {"momentum.final.z", units.momentum},
+                                       {"mass_scaling.added", units.mass},
+                                       {"mass_scaling.percent", std::string()},
+                                       {"contact.residual_max", units.velocity},
+                                       {"contact.residual_share_max", std::string()},
+                                       {"contact.overlaps.0.depth", units.length},
+                                       {"probes.tip.point.y", units.length},
+                                       {"dt.max", units.time},
                                        {"dt:min", units.time},
                                        {"steps", std::string()}}) {
     EXPECT_EQ(unit_of_quantity(quantity, units), unit) << quantity;
   }
   EXPECT_EQ(unit_of_quantity("tip_displacement_z:integral", units), units.length + " " + units.time);
-  EXPECT_EQ(unit_of_quantity("kinetic", parse_units("none")), "");
+  for (const char* quantity :
+       {"kinetic", "drum_angular_velocity_z", "drum_reaction_moment_z", "tip_position_x:integral"})
+    EXPECT_EQ(unit_of_quantity(quantity, parse_units("none")), "") << quantity;
 }
 
 /// All that a history has of a model without bodies, but for these.

@@ -102,9 +102,8 @@ function overlays() {
   // After those of all and of the bodies, of which the last is its largest plastic strain
   const {columns} = curves[0], bodies = variants[0].summary.bodies;
   const others = columns.slice(columns.indexOf(`${bodies[bodies.length - 1].name}_max_plastic_strain`) + 1);
-  drawn('more', ...others.map((name) => overlay(name, words(name), /_impulse$/.test(name) ? units.momentum
-      : /_force(_[xyz])?$/.test(name) ? units.force : /_velocity_[xyz]$/.test(name) ? units.velocity
-      : /_(position|displacement)_[xyz]$/.test(name) ? units.length : /stress/.test(name) ? units.stress : '')));
+  const unitOf = block('column_units');
+  drawn('more', ...others.map((name) => overlay(name, words(name), unitOf[name])));
 }
 
 /// The run and the histories of other programs: how far they are apart, and their curves over each other.

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -102,6 +104,64 @@ std::pair<std::string, bool> without_axis(const std::string& column) {
   return {column, false};
 }
 
+/// Of a value, and of its integral over time.
+struct QuantityUnit {
+  std::string of_value, of_integral;
+};
+
+QuantityUnit unit_of_length(const Units& units) { return {units.length, units.length + " " + units.time}; }
+
+/// By the last word of a name, of columns and of paths in the summary; the first that fits.
+QuantityUnit unit_of_word(std::string_view name, const Units& units) {
+  const auto product = [](const std::string& a, const std::string& b) { return a + ' ' + b; };
+  const auto by_time = [&](const std::string& unit) { return QuantityUnit{unit, product(unit, units.time)}; };
+  const QuantityUnit length = unit_of_length(units), velocity{units.velocity, units.length};
+  const QuantityUnit force{units.force, units.momentum}, momentum = by_time(units.momentum);
+  const QuantityUnit mass = by_time(units.mass), time = by_time(units.time);
+  const std::pair<std::string_view, QuantityUnit> known[]{
+      {"angular_velocity", {"1/" + units.time, ""}},
+      {"angular_momentum", by_time(product(units.momentum, units.length))},
+      {"velocity", velocity},
+      {"residual_max", velocity},
+      {"displacement", length},
+      {"position", length},
+      {"centre", length},
+      {"point", length},
+      {"place", length},
+      {"depth", length},
+      {"stress", by_time(units.stress)},
+      {"force", force},
+      {"force_max", force},
+      {"moment", {product(units.force, units.length), product(units.momentum, units.length)}},
+      {"impulse", momentum},
+      {"momentum", momentum},
+      {"momentum.initial", momentum},
+      {"momentum.final", momentum},
+      {"mass", mass},
+      {"mass_remaining", mass},
+      {"mass_initial", mass},
+      {"mass_added", mass},
+      {"mass_scaling.added", mass},
+      {"point_mass", mass},
+      {"inertia", by_time(product(units.mass, units.length + "^2"))},
+      {"time", time},
+      {"dt", time},
+      {"dt.min", time},
+      {"dt.max", time},
+      {"work", by_time(units.energy)}};
+  for (const auto& [ending, unit] : known) {
+    if (!name.ends_with(ending)) continue;
+    const std::string_view before = name.substr(0, name.size() - ending.size());
+    if (before.empty() || before.ends_with('_') || before.ends_with('.')) return unit;
+  }
+  return {};
+}
+
+bool names_energy_of_body(std::string_view name) {
+  return std::ranges::any_of(std::array{"_kinetic", "_internal", "_hourglass", "_bulk_viscosity"},
+                             [name](const char* energy) { return name.ends_with(energy); });
+}
+
 /// Of an energy as a number of the summary, not a share of it.
 bool is_energy_number(const std::string& path) {
   return path.starts_with("energy.") && !path.ends_with("_share") && path.find("balance_error") == std::string::npos;
@@ -192,42 +252,20 @@ std::vector<std::string> RunResults::known() const {
 }
 
 std::string unit_of_quantity(const std::string& quantity, const Units& units) {
+  if (!units.known()) return {};
   std::string name = quantity.substr(0, quantity.find(':'));
   const bool integral = quantity.ends_with(":integral");
-  if (name.size() > 2 && name[name.size() - 2] == '.') name.resize(name.size() - 2);  // .x
+  const auto ends_in_one_of = [&name](const char* characters) {
+    return name.size() > 2 && name[name.size() - 2] == '.' && std::strchr(characters, name.back()) != nullptr;
+  };
+  if (ends_in_one_of("xyz")) name.resize(name.size() - 2);
+  if (ends_in_one_of("012")) name.resize(name.size() - 2);  // the row of an inertia
   name = without_axis(name).first;
-  if (probes_of_length(name)) return integral && !units.length.empty() ? units.length + " " + units.time : units.length;
-  const auto ends = [&name](std::string_view word) {
-    return name.ends_with(word) && (name.size() == word.size() || name[name.size() - word.size() - 1] == '_' ||
-                                    name[name.size() - word.size() - 1] == '.');
-  };
-  const auto unit = [&](const std::string& of_value) {
-    if (!integral || of_value.empty()) return of_value;
-    return of_value == units.force ? units.momentum : of_value + " " + units.time;
-  };
-  for (const auto& [word, of_word] : {std::pair{"velocity", &units.velocity},
-                                      {"displacement", &units.length},
-                                      {"position", &units.length},
-                                      {"stress", &units.stress},
-                                      {"force", &units.force},
-                                      {"force_max", &units.force},
-                                      {"impulse", &units.momentum},
-                                      {"momentum", &units.momentum},
-                                      {"mass", &units.mass},
-                                      {"mass_remaining", &units.mass},
-                                      {"mass_initial", &units.mass},
-                                      {"mass_added", &units.mass},
-                                      {"point_mass", &units.mass},
-                                      {"time", &units.time},
-                                      {"dt", &units.time},
-                                      {"work", &units.energy}}) {
-    if (ends(word)) return unit(*of_word);
-  }
-  if (is_energy_column(name) || is_energy_number(name)) return unit(units.energy);
-  for (const char* energy : {"_kinetic", "_internal", "_hourglass", "_bulk_viscosity"}) {
-    if (name.ends_with(energy)) return unit(units.energy);
-  }
-  return {};
+  const bool energy = is_energy_column(name) || is_energy_number(name) || names_energy_of_body(name);
+  const QuantityUnit unit = probes_of_length(name) ? unit_of_length(units)
+                            : energy               ? QuantityUnit{units.energy, units.energy + " " + units.time}
+                                                   : unit_of_word(name, units);
+  return integral ? unit.of_integral : unit.of_value;
 }
 
 }  // namespace pinball
