@@ -63,6 +63,14 @@ class RunPage(Pages):
         for key in ["kinetic", "internal", "hourglass", "total", "momentum_y", "momentum_z", "rod_velocity_x", "plate_contact_force_z"]:
             self.assertIn(key, seen)
 
+    def test_energies_have_the_largest_of_their_columns(self):
+        with open(place("run/history.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        for line in self.all("#energy_table tbody tr"):
+            name, _, _, shown, *_ = [cell.text for cell in line.find_elements(By.CSS_SELECTOR, "th, td")]
+            largest = max((float(row[name.replace(" ", "_")]) for row in rows), key=abs)
+            self.assertAlmostEqual(number(shown), largest, delta=6e-5 * abs(largest), msg=name)
+
     def test_shows_the_contact_force_on_each_body(self):
         for body in ["rod", "plate"]:
             panel = self.panel(f"Contact force on {body}")

@@ -25,14 +25,14 @@ function energyTable(e, unit, valuesOf) {
   const all = e.final_total + e.external;  // what the energies are shares of
   const row = (name, note, start, end, largest) => [words(name), figure(start, 5), figure(end, 5), figure(largest, 5),
     all > 0 && end !== null ? percent(end / all) : '–', note];
+  const largestOver = (values, end) => values.reduce((m, v) => isNumber(v) && Math.abs(v) > Math.abs(m) ? v : m, end);
   const of = (name, note) => {
     const values = valuesOf(name) ?? [];
-    const largest = values.reduce((m, v) => isNumber(v) && Math.abs(v) > Math.abs(m) ? v : m, e[name]);
-    return row(name, note, values.length > 0 ? values[0] : null, e[name], largest);
+    return row(name, note, values.length > 0 ? values[0] : null, e[name], largestOver(values, e[name]));
   };
   const rows = present.map((name) => of(name, energyNames[name]));
   rows.push(row('total', 'all of them, less the work from outside: it has to stay', e.initial_total, e.final_total,
-                Math.max(e.initial_total, e.final_total)));
+                largestOver([e.initial_total, ...(valuesOf('total') ?? [])], e.final_total)));
   const least = Object.keys(energyNames).filter((name) => !present.includes(name));
   return [table({caption: named('Energies', unit), id: 'energy_table', numbers: [1, 2, 3, 4],
                  head: ['energy', 'at the start', 'at the end', 'largest', 'share at the end', 'what it is'], rows}),
