@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <solver/base/error.hpp>
 #include <solver/formats/deck_reader.hpp>
@@ -90,6 +91,13 @@ DeckNotes notes_of(const TranslatedDeck& deck) {
   return notes;
 }
 
+std::vector<std::string> options_of_deck(const SceneOptions& options) {
+  std::vector<std::string> words;
+  if (options.chosen_case) words.insert(words.end(), {"--case", fmt::format("{}", *options.chosen_case)});
+  if (options.lenient) words.push_back("--lenient");
+  return words;
+}
+
 }  // namespace
 
 SceneInput scene_input(const SceneOptions& options) {
@@ -105,6 +113,8 @@ SceneInput scene_input(const SceneOptions& options) {
     return {std::move(source), {}};
   }
   const TranslatedDeck deck = translate_any_deck(path, {options.chosen_case, options.lenient, ""});
+  deck.given->file = std::filesystem::path(path).filename().string();
+  deck.given->options = options_of_deck(options);
   if (!options.quiet) print_deck(deck, path);
   std::fflush(stdout);  // before the progress, in a log that both go to
   return {deck.source(path + " as a scene", options.overrides), notes_of(deck)};

@@ -163,6 +163,8 @@ cube
 std::shared_ptr<const GivenScene> some_of_each() {
   auto given = std::make_shared<GivenScene>();
   given->contact_said = false;
+  given->file = "deck.k";
+  given->options = {"--case", "2"};
   given->table.comment = "a deck";
   GivenTable time;
   time.set("end", GivenValue(0.1, GivenPlace("deck.k:7: *CONTROL_TERMINATION (endtim)")));
@@ -210,6 +212,8 @@ TEST_F(Checkpoints, AFileHasAllThatWasWritten) {
     EXPECT_EQ(read.head.deck.lines, head.deck.lines);
     ASSERT_NE(read.head.source.given, nullptr);
     EXPECT_FALSE(read.head.source.given->contact_said);
+    EXPECT_EQ(read.head.source.given->file, "deck.k");
+    EXPECT_EQ(read.head.source.given->options, head.source.given->options);
     const GivenTable& table = read.head.source.given->table;
     EXPECT_EQ(write_toml(table), write_toml(head.source.given->table));
     const GivenTable& time = *table.find("time")->as<GivenTable>();

@@ -15,6 +15,7 @@
 #include <solver/output/page/resources.hpp>
 #include <solver/output/page/units_json.hpp>
 #include <solver/run_page.hpp>
+#include <solver/scene/given/given_scene.hpp>
 #include <solver/scene_rules.hpp>
 #include <tests/support/output_case.hpp>
 #include <tests/support/program.hpp>
@@ -297,6 +298,15 @@ TEST_F(RunPage, TellsTheErrorAndTheCommand) {
   EXPECT_EQ(told["text"], "title = \"</script>\"");
   EXPECT_THAT(told["command"].get<std::string>(),
               testing::StartsWith("pinball run 'my scenes/a'\\''b.toml' --set time.end=2 --refine 2 --precision"));
+}
+
+TEST_F(RunPage, CommandOfADeckNamesTheDeck) {
+  auto given = std::make_shared<GivenScene>();
+  given->file = "a deck.k";
+  given->options = {"--case", "2", "--lenient"};
+  const SceneSource source{"decks/a deck.k as a scene", "", {{"time.end=2"}, 1, {}, {}}, given};
+  EXPECT_THAT(block(page({"", &source}), "scene")["command"].get<std::string>(),
+              testing::StartsWith("pinball run 'decks/a deck.k' --case 2 --lenient --set time.end=2 "));
 }
 
 TEST_F(RunPage, ThatCannotBeWrittenIsAnError) {

@@ -81,5 +81,21 @@ TEST_F(DeckInput, PartsOfItsSceneAreNamedByCards) {
   EXPECT_EQ(touching.contact.method, ContactMethod::pinball);
 }
 
+/// For the command that repeats a run.
+TEST_F(DeckInput, KnowsHowTheDeckWasNamed) {
+  SceneOptions options;
+  options.scene = (folder_ / "deck.k").string();
+  options.quiet = true;
+  std::ofstream(options.scene) << "*KEYWORD\n" << cube << elastic << ends;
+  const auto given_by = [&options] { return scene_input(options).source.given; };
+  EXPECT_EQ(given_by()->file, "deck.k");
+  EXPECT_THAT(given_by()->options, testing::IsEmpty());
+  options.lenient = true;
+  EXPECT_THAT(given_by()->options, testing::ElementsAre("--lenient"));
+  std::ofstream(options.scene) << "*KEYWORD\n" << cube << elastic << ends << "*CASE\n2\n";
+  options.chosen_case = 2;
+  EXPECT_THAT(given_by()->options, testing::ElementsAre("--case", "2", "--lenient"));
+}
+
 }  // namespace
 }  // namespace pinball::test::scene_input_test

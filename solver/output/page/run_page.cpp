@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include <solver/output/output_file.hpp>
@@ -42,7 +43,13 @@ std::string quoted(const std::string& word) {
 
 std::string command_of(const SceneSource& source, const RunSummary& summary) {
   const SceneOverrides& overrides = source.overrides;
-  std::string command = "pinball run " + quoted(source.path);
+  const bool is_deck = source.given && !source.given->file.empty();
+  const std::filesystem::path path(source.path);
+  std::string command =
+      "pinball run " + quoted(is_deck ? (path.parent_path() / source.given->file).string() : source.path);
+  if (is_deck) {
+    for (const std::string& option : source.given->options) command += ' ' + quoted(option);
+  }
   for (const std::string& set : overrides.set) command += " --set " + quoted(set);
   for (const std::string& vary : overrides.vary) command += " --set " + quoted(vary);
   if (overrides.refine != 1) command += fmt::format(" --refine {}", overrides.refine);

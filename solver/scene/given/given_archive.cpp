@@ -74,12 +74,12 @@ void persist(StateArchive& archive, std::shared_ptr<const GivenScene>& given) {
   if (!there) return;
   if (archive.reads()) {
     auto read = std::make_shared<GivenScene>();
-    archive(read->contact_said);
+    archive(read->contact_said, read->file, read->options);
     persist(archive, read->table);
     given = std::move(read);
   } else {
     auto& written = const_cast<GivenScene&>(*given);  // an archive that measures or writes changes nothing
-    archive(written.contact_said);
+    archive(written.contact_said, written.file, written.options);
     persist(archive, written.table);
   }
 }
