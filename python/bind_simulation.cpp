@@ -56,7 +56,8 @@ void bind_figures(py::class_<Object>& simulation) {
       .def_property_readonly("elements", look(&Simulation::elements), "number of elements of all bodies")
       .def(
           "nodes_of", [](Object& object, const std::string& body) { return slice_of(object.use().nodes_of(body)); },
-          py::arg("body"), "The numbers of a body's nodes, as a slice.")
+          py::arg("body"),
+          "The numbers of a body's nodes, as a slice, but for those that it shares with an earlier body of its file.")
       .def(
           "elements_of",
           [](Object& object, const std::string& body) { return slice_of(object.use().elements_of(body)); },

@@ -127,9 +127,10 @@ class PINBALL_API Simulation {
   // Numbers are of the scene's precision, but for masses (double). A view is valid as long as the simulation is, also
   // after it was moved; a step changes what it shows.
 
-  std::int64_t nodes() const;                             ///< number of nodes of all bodies
-  std::int64_t elements() const;                          ///< number of elements of all bodies, eroded ones too
-  IndexRange nodes_of(const std::string& body) const;     ///< numbers of its nodes. Throws InputError: no such body
+  std::int64_t nodes() const;     ///< number of nodes of all bodies
+  std::int64_t elements() const;  ///< number of elements of all bodies, eroded ones too
+  /// Numbers of its nodes, but for those that it shares with an earlier body. Throws InputError: no such body.
+  IndexRange nodes_of(const std::string& body) const;
   IndexRange elements_of(const std::string& body) const;  ///< numbers of its elements
 
   ConstArrayView positions() const;                     ///< three numbers per node, at time() [length]

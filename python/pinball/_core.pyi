@@ -1683,7 +1683,7 @@ class Simulation:
     def elements(self) -> int:
         """number of elements of all bodies"""
     def nodes_of(self, body: str) -> slice:
-        """The numbers of a body's nodes, as a slice."""
+        """The numbers of a body's nodes, as a slice, but for those that it shares with an earlier body of its file."""
     def elements_of(self, body: str) -> slice:
         """The numbers of a body's elements, as a slice."""
     @property

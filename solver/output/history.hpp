@@ -31,10 +31,11 @@ struct HistoryPart {
 /// Columns: step, time, dt, the parts of Energies and their total, balance_error (relative), momentum_x,y,z, and for
 /// each body NAME_velocity_x,y,z, NAME_mass_remaining, NAME_eroded_elements, NAME_max_plastic_strain; then what walls
 /// and probes add: NAME_force, NAME_impulse of a wall, NAME_QUANTITY of a probe, and with contact
-/// NAME_contact_force_x,y,z of each body, the sum over its nodes; then NAME_force_x,y,z of constraints, prescribed
-/// velocities and accelerations with a name, and with output.body_energies NAME_kinetic, NAME_momentum_x,y,z,
-/// NAME_mass, NAME_internal, NAME_hourglass, NAME_bulk_viscosity of each body. Numbers have 17 digits, so that they
-/// read back as the same doubles. Each row reaches the file before write() returns: a killed run keeps its history.
+/// NAME_contact_force_x,y,z of each body, the sum over its nodes, of those that bodies share by its part of their mass;
+/// then NAME_force_x,y,z of constraints, prescribed velocities and accelerations with a name, and with
+/// output.body_energies NAME_kinetic, NAME_momentum_x,y,z, NAME_mass, NAME_internal, NAME_hourglass,
+/// NAME_bulk_viscosity of each body. Numbers have 17 digits, so that they read back as the same doubles. Each row
+/// reaches the file before write() returns: a killed run keeps its history.
 class HistoryWriter {
  public:
   /// `bodies`: names, in the order of HistoryRow::bodies. `more`: names of the columns that HistoryRow::more holds.

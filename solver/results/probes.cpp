@@ -38,9 +38,15 @@ Point place_of(const ModelMesh& mesh, const Probe& probe, std::size_t i) {
 std::size_t nearest_place(const ModelMesh& mesh, const Probe& probe) {
   std::size_t best = 0;
   double nearest = std::numeric_limits<double>::infinity();
-  const auto& body_of = probe.kind == ProbeKind::node ? mesh.body_of_node : mesh.body;
+  const bool node = probe.kind == ProbeKind::node;
+  const auto& body_of = node ? mesh.body_of_node : mesh.body;
+  const auto has = [&](std::int32_t body, std::size_t i) {
+    if (body_of[i] == body) return true;
+    return node && std::ranges::binary_search(mesh.shared[body], static_cast<std::int32_t>(i));
+  };
+  const std::int32_t own = std::ranges::find(mesh.body_names, probe.body) - mesh.body_names.begin();
   for (std::size_t i = 0; i < body_of.size(); ++i) {
-    if (!probe.body.empty() && probe.body != mesh.body_names[body_of[i]]) continue;
+    if (!probe.body.empty() && !has(own, i)) continue;
     const double distance = square_of_distance(place_of(mesh, probe, i), probe.point);
     if (!(distance < nearest)) continue;
     nearest = distance;

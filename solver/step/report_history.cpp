@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <kernels/exec.hpp>
 #include <solver/base/lists_in_order.hpp>
+#include <solver/model/body_parts.hpp>
 
 #include "report.hpp"
 
@@ -15,6 +17,17 @@ namespace {
 /// Of each rigid body: its centre, and what holds and moves it.
 constexpr std::array rigid_quantities{"centre", "centre_velocity", "angular_velocity", "reaction_force",
                                       "reaction_moment"};
+
+/// Those of these nodes that several bodies have; both ascending.
+std::vector<std::int32_t> shared_among(const std::vector<std::int32_t>& nodes, const ModelMesh& mesh) {
+  std::vector<std::int32_t> shared, found;
+  for (const std::vector<std::int32_t>& of_body : mesh.shared)
+    shared.insert(shared.end(), of_body.begin(), of_body.end());
+  std::sort(shared.begin(), shared.end());
+  shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
+  std::ranges::set_intersection(nodes, shared, std::back_inserter(found));
+  return found;
+}
 
 }  // namespace
 
@@ -65,7 +78,7 @@ std::vector<std::string> more_columns(const Solver<S>& solver) {
   return columns;
 }
 
-/// What contact does to each body as a whole [force].
+/// What contact does to each body as a whole, of nodes that bodies share by the masses that these have there [force].
 template <class S>
 std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
   const Model<S>& model = solver.layout();
@@ -77,10 +90,20 @@ std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
     return std::ranges::any_of(force_of(n), [](double component) { return component != 0; });
   });
   std::vector<Point> sums(model.scene.bodies.size(), Point{});
+  const std::vector<std::int32_t> shared = shared_among(nodes, model.mesh);
+  const std::vector<std::vector<BodyPart>> parts = parts_of_bodies(model, shared);
+  std::size_t next = 0;  // of the shared ones
   for (const std::int32_t n : nodes) {
     const Point& force = force_of(n);
-    Point& sum = sums[model.mesh.body_of_node[n]];
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += force[k];
+    if (next == shared.size() || shared[next] != n) {
+      Point& sum = sums[model.mesh.body_of_node[n]];
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += force[k];
+      continue;
+    }
+    for (const BodyPart& part : parts[next]) {
+      for (std::size_t k = 0; k < 3; ++k) sums[part.body][k] += part.share * force[k];
+    }
+    ++next;
   }
   return sums;
 }

@@ -116,6 +116,10 @@ class LookAt {
       for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
         if (probe.body.empty() || probe.body == mesh_.body_names[mesh_.body_of_node[n]]) box.take(mesh_.nodes[n]);
       }
+      for (std::size_t b = 0; b < mesh_.shared.size(); ++b) {
+        if (probe.body != mesh_.body_names[b]) continue;
+        for (const std::int32_t n : mesh_.shared[b]) box.take(mesh_.nodes[n]);
+      }
       Point out{};
       for (std::size_t k = 0; k < 3; ++k)
         out[k] = std::max({0.0, box.low[k] - probe.point[k], probe.point[k] - box.high[k]});
