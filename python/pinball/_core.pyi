@@ -333,7 +333,7 @@ class BlockMesh:
     elements: Field[list[int], Sequence[int]]
     """along each direction"""
     sections: Field[list[list[BlockSection]], Sequence[Sequence[BlockSection]]]
-    """per direction; empty: elements of one size"""
+    """per direction, whose sums are size and elements; empty: elements of one size"""
 
 class RoundNosedRodMesh:
     """A rod along -z with a hemispherical nose at the origin."""

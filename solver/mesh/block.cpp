@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <solver/base/error.hpp>
@@ -10,6 +11,28 @@
 namespace pinball {
 
 namespace {
+
+void require_sections(const BlockMesh& settings, std::size_t axis) {
+  if (settings.sections[axis].empty()) return;
+  double length = 0.0;
+  std::int64_t elements = 0;
+  for (const BlockSection& section : settings.sections[axis]) {
+    if (!std::isfinite(section.length) || section.length <= 0.0 || section.elements < 1) {
+      throw InputError(fmt::format(
+          "block mesh: sections[{}]: expected lengths > 0 and integers >= 1, got a length of {} and elements {}", axis,
+          section.length, section.elements));
+    }
+    length += section.length;
+    elements += section.elements;
+  }
+  constexpr double round_off = 1e-12;
+  if (std::abs(length - settings.size[axis]) > round_off * length)
+    throw InputError(fmt::format("block mesh: size[{}]: expected {}, the sum of its sections, got {}", axis, length,
+                                 settings.size[axis]));
+  if (elements != settings.elements[axis])
+    throw InputError(fmt::format("block mesh: elements[{}]: expected {}, the sum of its sections, got {}", axis,
+                                 elements, settings.elements[axis]));
+}
 
 /// Coordinates of the planes of nodes along one direction.
 std::vector<double> node_planes(const BlockMesh& settings, std::size_t axis) {
@@ -37,6 +60,7 @@ Mesh generate_block(const BlockMesh& settings) {
     if (settings.elements[axis] < 1)
       throw InputError(
           fmt::format("block mesh: elements[{}]: expected an integer >= 1, got {}", axis, settings.elements[axis]));
+    require_sections(settings, axis);
     node_count *= settings.elements[axis] + 1.0;
   }
   if (node_count > std::numeric_limits<std::int32_t>::max())

@@ -8,6 +8,7 @@
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/mesh/section.hpp>
+#include <tests/support/error_of.hpp>
 
 #include "mesh_counts.hpp"
 
@@ -51,6 +52,19 @@ TEST(Block, SectionsHaveElementsOfTheirOwn) {
   ASSERT_EQ(mesh.hexahedra.size(), 5);
   const double heights[] = {0, 2, 2.125, 2.25, 2.375, 2.5};
   for (std::size_t n = 0; n < 24; ++n) EXPECT_DOUBLE_EQ(mesh.nodes[n][2], heights[n / 4]);
+}
+
+TEST(Block, SizesAndElementsAreTheSumsOfSections) {
+  const auto error_with = [](double size, int elements, const BlockSection& second) {
+    BlockMesh settings{{1, 1, size}, {1, 1, elements}};
+    settings.sections[2] = {{0.1, 1}, second};
+    return test::error_of([&settings] { generate_block(settings); });
+  };
+  EXPECT_EQ(error_with(0.3, 5, {0.2, 4}), test::no_error) << "though 0.1 + 0.2 is not the double 0.3";
+  EXPECT_EQ(error_with(1, 5, {1.9, 4}), "block mesh: size[2]: expected 2, the sum of its sections, got 1");
+  EXPECT_EQ(error_with(0.3, 2, {0.2, 4}), "block mesh: elements[2]: expected 5, the sum of its sections, got 2");
+  EXPECT_EQ(error_with(0.1, 1, {0, 0}),
+            "block mesh: sections[2]: expected lengths > 0 and integers >= 1, got a length of 0 and elements 0");
 }
 
 TEST(Block, RejectsBadSettings) {

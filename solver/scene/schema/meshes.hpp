@@ -45,7 +45,8 @@ constexpr void describe(Of<BlockMesh>, Visit&& visit) {
   visit(FileKey<ListsOf<int>>{"elements", "`[nx, ny, nz]`", count_of_elements});
   visit(Field{"size", &BlockMesh::size, "[length]"});
   visit(Field{"elements", &BlockMesh::elements, "along each direction"});
-  visit(Field{"sections", &BlockMesh::sections, "per direction; empty: elements of one size"});
+  visit(Field{"sections", &BlockMesh::sections,
+              "per direction, whose sums are size and elements; empty: elements of one size"});
 }
 
 template <class Visit>
