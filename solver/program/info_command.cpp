@@ -2,7 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +55,23 @@ MeshQuality quality_of(const ModelMesh& mesh, const Body& body, std::int32_t num
   return measure_quality(all_nodes);
 }
 
+/// Those that it shares among them.
+std::int64_t nodes_of_body(const ModelMesh& mesh, std::int32_t number) {
+  return std::ranges::count(mesh.body_of_node, number) + std::ssize(mesh.shared[number]);
+}
+
+std::string velocity_text(const Body& body, const Units& units) {
+  std::string text = "velocity " + vector_text(body.velocity, units.velocity);
+  if (body.angular_velocity != Point{}) text += ", turning with " + vector_text(body.angular_velocity, per_time(units));
+  if (body.velocity_gradient != std::array<Point, 3>{}) {
+    const auto& [x, y, z] = body.velocity_gradient;
+    text += fmt::format(", with a gradient of rows {}, {}, {}", vector_text(x, ""), vector_text(y, ""),
+                        vector_text(z, per_time(units)));
+  }
+  if (body.velocity_noise > 0) text += ", noise of up to " + with_unit(body.velocity_noise, units.velocity);
+  return text;
+}
+
 template <class S>
 void print_bodies(const Model<S>& model, const Units& units) {
   fmt::print("bodies\n");
@@ -69,8 +88,7 @@ void print_bodies(const Model<S>& model, const Units& units) {
     }
     fmt::print("  {}: {}, {}, mass {}, of {}\n", body.name,
                counted(std::count(model.mesh.body.begin(), model.mesh.body.end(), number), "element"),
-               counted(std::count(model.mesh.body_of_node.begin(), model.mesh.body_of_node.end(), number), "node"),
-               with_unit(mass, units.mass), body.material);
+               counted(nodes_of_body(model.mesh, number), "node"), with_unit(mass, units.mass), body.material);
     if (added != 0) {
       fmt::print("    of its mass {} is added (time.smallest_step), {:.3g} % of that of its material\n",
                  with_unit(added, units.mass), 100 * added / (mass - added));
@@ -79,8 +97,7 @@ void print_bodies(const Model<S>& model, const Units& units) {
     volume += q.volume;
     fmt::print("    {}\n", volume_text(q.volume, units));
     fmt::print("    mesh: {}\n", quality_text(q, units.length));
-    fmt::print("    velocity ({:.6g}, {:.6g}, {:.6g}){}\n", body.velocity[0], body.velocity[1], body.velocity[2],
-               units.velocity.empty() ? "" : " " + units.velocity);
+    fmt::print("    {}\n", velocity_text(body, units));
   }
   if (model.scene.bodies.size() > 1) fmt::print("  all: {}\n", volume_text(volume, units));
 }
@@ -151,7 +168,8 @@ std::string output_text(const Scene& scene, const Units& units) {
 }
 
 template <class S>
-void print_contact(const ContactAlgorithm<S>& contact, const ContactSettings& c, std::int64_t elements) {
+void print_contact(const ContactAlgorithm<S>& contact, const Scene& scene, std::int64_t elements) {
+  const ContactSettings& c = scene.contact;
   const bool pinball = c.method == ContactMethod::pinball;
   std::string how;
   if (c.enforcement == Enforcement::penalty) {
@@ -165,7 +183,7 @@ void print_contact(const ContactAlgorithm<S>& contact, const ContactSettings& c,
   } else if (c.friction > 0) {
     how += fmt::format(", friction {:.4g}", c.friction);
   }
-  if (c.self) how += ", bodies may touch themselves";
+  if (c.self && scene.contact_pairs.empty()) how += ", bodies may touch themselves";
   fmt::print("  contact: {} on {}, {} enforcement{}\n", pinball ? "pinballs" : "slideline: nodes against faces",
              counted_of(contact.surface_elements(), elements, "element"), enforcement_name(c.enforcement), how);
 }
@@ -229,7 +247,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   print_rigid_bodies(scene, solver.rigid().results(), units);
   if (solver.subcycling() != nullptr) print_steps(*solver.subcycling());
   if (solver.contact() != nullptr) {
-    print_contact(*solver.contact(), scene.contact, model.element_count());
+    print_contact(*solver.contact(), scene, model.element_count());
     print_search(scene);
     for (const ContactPair& pair : scene.contact_pairs) {
       fmt::print("  contact pair {}: friction {:.4g} at rest, {:.4g} sliding{}{}\n", pair.name, pair.static_friction,

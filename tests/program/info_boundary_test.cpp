@@ -87,6 +87,21 @@ TEST_F(InfoBoundary, SaysWhatItActsOnAlongWhatAndFromWhenOn) {
                         "(0: without end)"));
 }
 
+TEST_F(InfoBoundary, GivesAllOfTheVelocityThatABodyBeginsWith) {
+  EXPECT_THAT(info_of("velocity = [1, 0, 2]\n"), HasSubstr("    velocity (1, 0, 2) m/s\n"));
+  EXPECT_THAT(info_of("angular_velocity = [0, 0, 50]\nvelocity_gradient = [[1, 0, 0], [0, 2, 0], [0, 0, 3]]\n"
+                      "velocity_noise = 3\n"),
+              HasSubstr("    velocity (0, 0, 0) m/s, turning with (0, 0, 50) 1/s, with a gradient of rows (1, 0, 0), "
+                        "(0, 2, 0), (0, 0, 3) 1/s, noise of up to 3 m/s\n"));
+}
+
+TEST_F(InfoBoundary, SaysThatBodiesMayTouchThemselvesWhereAllTouchesAll) {
+  const std::string contact = "[contact]\nmethod = \"pinball\"\n";
+  EXPECT_THAT(info_of(contact), HasSubstr("bodies may touch themselves"));
+  EXPECT_THAT(info_of(contact + "[[contact.pair]]\nname = \"p\"\nfirst = \"cube\"\nsecond = \"cube\"\n"),
+              testing::Not(HasSubstr("bodies may touch themselves")));
+}
+
 TEST_F(InfoBoundary, SaysWhenAPairMayTouch) {
   EXPECT_THAT(info_of("[[contact.pair]]\nname = \"p\"\nfirst = \"cube\"\nstart = 1e-5\nend = 5e-5\n"),
               HasSubstr("of its first side alone, from time 1e-05 s, up to time 5e-05 s\n"));
