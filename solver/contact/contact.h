@@ -22,7 +22,8 @@
  * **Units** are any consistent set. **Numbers** of one instance are all double or all float. Those that contact reads of
  * positions, velocities and forces are finite, and so are their squares: this is checked where they are read. **Indices** of nodes count
  * from `first_index`. **Bodies**: nodes of different bodies may touch; nodes of one body do where they were well apart in
- * the undeformed mesh (option `self`).
+ * the undeformed mesh (option `self`), and so do those of bodies that hang together by common nodes. Elements and spheres
+ * with a common node never touch.
  *
  * **Ownership.** The host owns all arrays. Those of pinball_contact_mesh marked "kept" are read again whenever an
  * element comes to the surface: they stay where they are, unchanged, until pinball_contact_destroy. All others are read

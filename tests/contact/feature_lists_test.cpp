@@ -279,18 +279,20 @@ TEST(FeatureLists, ThatHoldNoLongerDoNotFollowErosion) {
   EXPECT_EQ(lists.entries(), before);
 }
 
-/// Two cubes of two bodies that have four nodes in common: none of these is listed with a face of an element that it
-/// belongs to itself, whichever body that is of.
+/// Two cubes with a flat element between them, which is of the second body: no node is listed with a face of an element
+/// that it belongs to itself, whichever body that is of.
 TEST(FeatureLists, OfBodiesThatHaveNodesInCommonHaveNoNodeWithItsOwnElement) {
   const TemporaryFolder folder("joined");
-  std::ofstream(folder / "cubes.k") << "*KEYWORD\n*NODE\n" + cube_lines(1) + square_lines(9, 2) +
-                                           "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n2,2,5,6,7,8,9,10,11,12\n*END\n";
+  std::ofstream(folder / "cubes.k") << "*KEYWORD\n*NODE\n" + cube_lines(1) + square_lines(9, 1.2) +
+                                           square_lines(13, 2.2) +
+                                           "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n2,2,5,6,7,8,9,10,11,12\n"
+                                           "3,2,9,10,11,12,13,14,15,16\n*END\n";
   Scene scene = scene_of({block("a", {1, 1, 1}, 1, {0, 0, 0}), block("b", {1, 1, 1}, 1, {0, 0, 0})}, 1);
   for (std::size_t b = 0; b < 2; ++b) {
     scene.bodies[b].mesh = FileMesh{MeshFormat::keyword, folder / "cubes.k", std::to_string(b + 1), 1.0};
   }
   Model<double> model = build_model<double>(scene);
-  ASSERT_EQ(model.mesh.nodes.size(), 12U);
+  ASSERT_EQ(model.mesh.nodes.size(), 16U);
   constexpr double dt = 1e-5;
   Random random(3);
   auto& v = model.nodes.velocity;
@@ -302,7 +304,7 @@ TEST(FeatureLists, OfBodiesThatHaveNodesInCommonHaveNoNodeWithItsOwnElement) {
   Lists lists;
   lists.count_step(dt);
   lists.build(source, surface, edges, SphereSurface<double>(source, surface.topology()), scene.contact,
-              std::vector<float>(12, 0), dt, 0, true);
+              std::vector<float>(16, 0), dt, 0, true);
   const Pairs nodes = all_of(lists.nodes());
   EXPECT_FALSE(nodes.empty());
   for (const auto& [slave, segment] : nodes) {

@@ -12,7 +12,7 @@ namespace pinball {
 
 namespace {
 
-/// Whether features of two segments may touch: the mesh keeps elements of a body with a common corner apart.
+/// Whether features of two segments may touch: the mesh keeps elements with a common corner apart.
 template <class S>
 bool segments_may_touch(const SegmentSurface<S>& surface, std::int32_t a, std::int32_t b) {
   return surface.active_segment(a) && surface.active_segment(b) && !surface.beside(a, b);
@@ -84,6 +84,11 @@ bool FeatureLists<S>::may_touch(const SegmentSurface<S>& surface, const SphereSu
     const auto body_of = [&](std::int32_t i) {
       return i < segments ? surface.segments()[i].body : spheres.spheres()[i - segments].body;
     };
+    if (a < segments) {
+      const auto& corners = surface.segments()[a].corners;  // a sphere may be at a node of an element
+      const std::int32_t node = spheres.spheres()[b - segments].node;
+      if (std::find(corners.begin(), corners.end(), node) != corners.end()) return false;
+    }
     return self || body_of(a) != body_of(b);
   }
   const auto &own = surface.segments()[a], &other = surface.segments()[b];

@@ -57,7 +57,8 @@ void BallPairs<S>::find_moving(const SurfacePinballs<S>& pinballs, const BallTre
     const float* other_reference = reference + second / G * reference_components * G;
     if (own_reference[4 * G + i] != other_reference[4 * G + second % G]) return true;
     const unsigned apart = test_ball<ReferencePack<S>, G>(i, apart_test<S>(own_reference, other_reference));
-    return self && (apart >> second % G & 1U) != 0 && !share_corner(pinballs.corners[first], pinballs.corners[second]);
+    return (self || pinballs.body[first] != pinballs.body[second]) && (apart >> second % G & 1U) != 0 &&
+           !share_corner(pinballs.corners[first], pinballs.corners[second]);
   });
 }
 

@@ -12,11 +12,11 @@ namespace pinball {
 
 template <class S>
 void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self, ContactSearch how,
-                        const ContactPairs* pairs, bool spheres_apart, Sharers* sharers) {
+                        const ContactPairs* pairs, bool spheres_apart, Sharers* sharers, const JoinedBodies& joined) {
   const Wanted wanted{pinballs, pairs, spheres_apart};
   remember();
   boxes_.build(balls);
-  collect_references(pinballs);
+  collect_references(pinballs, joined);
   has_pair_.assign(pinballs.count, 0);
   constexpr std::int64_t most_met = 300;  // above, the tree takes longer (docs/performance.md)
   if (suitable_search(how, boxes_.view(), 0, boxes_.view().groups, most_met) == ContactSearch::hash) {
@@ -37,7 +37,7 @@ std::int32_t PairList<S>::piece_begin(std::int64_t piece) const {
 }
 
 template <class S>
-void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
+void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs, const JoinedBodies& joined) {
   if (pinballs.count == 0) return;
   constexpr std::int64_t G = ball_group<S>;
   const std::int64_t groups = boxes_.view().groups;
@@ -48,7 +48,7 @@ void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
       const std::int64_t last = pinballs.count - 1;
       const std::size_t p = std::min(group * G + i, last);  // padding repeats the last
       for (std::int64_t c = 0; c < 4; ++c) reference[c * G + i] = pinballs.reference[p][c];
-      reference[4 * G + i] = pinballs.body[p];
+      reference[4 * G + i] = joined.first(pinballs.body[p]);
     }
   });
 }
@@ -71,9 +71,9 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self, const Want
       }
       const S* own = tree.balls(group);
       const auto groups = near.find(tree, own, group);
-      leave_out(self, group, groups);
+      leave_out(group, groups);
       NearBalls<S>::leave_out_passing(tree, own, groups);
-      leave_out_neighbours(pinballs, group, groups);
+      leave_out_neighbours(pinballs, self, group, groups);
       if (!wanted.all()) leave_out_unwanted(wanted, group, groups);
       append(group, groups, found);
     }
@@ -114,7 +114,7 @@ void PairList<S>::find_by_hash(const SurfacePinballs<S>& pinballs, bool self, co
 }
 
 template <class S>
-void PairList<S>::leave_out(bool self, std::int32_t group, std::span<typename NearBalls<S>::Group> near) const {
+void PairList<S>::leave_out(std::int32_t group, std::span<typename NearBalls<S>::Group> near) const {
   constexpr int G = ball_group<S>;
   const auto reference = [this](std::int64_t g) { return reference_.data() + g * reference_components * G; };
   for (auto& other : near) {
@@ -123,17 +123,13 @@ void PairList<S>::leave_out(bool self, std::int32_t group, std::span<typename Ne
     }
     other.same = balls_of_one_body<S>(reference(group), reference(other.number));
     if (!other.same.any()) continue;
-    if (self) {
-      const BallBits<G> apart = balls_apart<S>(reference(group), reference(other.number));
-      for (int w = 0; w < apart.words; ++w) other.balls.word[w] &= apart.word[w] | ~other.same.word[w];
-    } else {
-      for (int w = 0; w < other.same.words; ++w) other.balls.word[w] &= ~other.same.word[w];
-    }
+    const BallBits<G> apart = balls_apart<S>(reference(group), reference(other.number));
+    for (int w = 0; w < apart.words; ++w) other.balls.word[w] &= apart.word[w] | ~other.same.word[w];
   }
 }
 
 template <class S>
-void PairList<S>::leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::int32_t group,
+void PairList<S>::leave_out_neighbours(const SurfacePinballs<S>& pinballs, bool self, std::int32_t group,
                                        std::span<typename NearBalls<S>::Group> near) const {
   constexpr int G = ball_group<S>;
   for (auto& other : near) {
@@ -142,7 +138,9 @@ void PairList<S>::leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::
         const int bit = 64 * w + __builtin_ctzll(bits);
         const std::size_t a = group * G + bit / G;
         const std::size_t b = other.number * G + bit % G;
-        if (share_corner(pinballs.corners[a], pinballs.corners[b])) other.balls.clear_in_row(bit / G, 1U << bit % G);
+        const bool may =
+            (self || pinballs.body[a] != pinballs.body[b]) && !share_corner(pinballs.corners[a], pinballs.corners[b]);
+        if (!may) other.balls.clear_in_row(bit / G, 1U << bit % G);
       }
     }
   }

@@ -9,6 +9,7 @@
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/algorithm/pinball_kernels.hpp>
 #include <solver/contact/search/moving_balls.hpp>
+#include <solver/contact/surface/joined_bodies.hpp>
 
 #include "ball_pairs.hpp"
 #include "surface_pinballs.hpp"
@@ -27,10 +28,10 @@ class PairList {
  public:
   /// Builds the list from nothing. balls: one per pinball; self: a body may touch itself; how: the list is the same;
   /// pairs: of the scene, which may touch, or null; spheres_apart: balls of spheres meet each other alone; sharers: who
-  /// all have these pinballs and build the list together, or null.
+  /// all have these pinballs and build the list together, or null; joined: bodies that hang together.
   void build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self,
              ContactSearch how = ContactSearch::automatic, const ContactPairs* pairs = nullptr,
-             bool spheres_apart = false, Sharers* sharers = nullptr);
+             bool spheres_apart = false, Sharers* sharers = nullptr, const JoinedBodies& joined = {});
   double stored_energy() const;  ///< of the springs of all pairs [energy]
 
   std::int32_t size() const { return listed_.size(); }  ///< pinballs that have a pair
@@ -72,7 +73,7 @@ class PairList {
   std::int64_t find_pair(std::int32_t first, std::int32_t second) const;
   /// First of all pinballs of a piece.
   std::int32_t piece_begin(std::int64_t piece) const;
-  void collect_references(const SurfacePinballs<S>& pinballs);
+  void collect_references(const SurfacePinballs<S>& pinballs, const JoinedBodies& joined);
   /// Of two pinballs, by their numbers: whether their pair is wanted, and whether there are some that are not.
   struct Wanted {
     const SurfacePinballs<S>& pinballs;
@@ -84,11 +85,11 @@ class PairList {
   void find(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted, const PieceShare& share);
   void add_from_others(const PieceShare& share);
   void find_by_hash(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted);
-  /// What may come near the balls of a group without what is listed already, and without pairs of one body that were
-  /// not apart in the undeformed mesh.
-  void leave_out(bool self, std::int32_t group, std::span<typename NearBalls<S>::Group> near) const;
-  /// The same without pairs of elements that share a corner.
-  void leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::int32_t group,
+  /// What may come near the balls of a group without what is listed already, and without pairs of one body, or of
+  /// joined ones, that were not apart in the undeformed mesh.
+  void leave_out(std::int32_t group, std::span<typename NearBalls<S>::Group> near) const;
+  /// The same without pairs of elements that share a corner, and without those of one body if it may not touch itself.
+  void leave_out_neighbours(const SurfacePinballs<S>& pinballs, bool self, std::int32_t group,
                             std::span<typename NearBalls<S>::Group> near) const;
   static void leave_out_unwanted(const Wanted& wanted, std::int32_t group,
                                  std::span<typename NearBalls<S>::Group> near);

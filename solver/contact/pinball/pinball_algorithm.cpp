@@ -34,7 +34,8 @@ PinballAlgorithm<S>::PinballAlgorithm(const ContactSettings& settings, const Sur
       on_faces_(SphereSprings<S>::wanted(settings, source, start.topology)
                     ? std::make_unique<SphereSprings<S>>(settings, source, start.topology)
                     : nullptr),
-      surface_(std::move(start.topology)) {
+      surface_(std::move(start.topology)),
+      joined_(source, surface_) {
   penalty_ = {static_cast<S>(settings.beta), static_cast<S>(settings.damping)};
   std::vector<std::int32_t> exposed;
   list_where("elements of a surface", surface_.slots(), exposed,
@@ -174,8 +175,8 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
   });
   const double stored_before = this->lists_outdated_ ? list_.stored_energy() : 0.0;
   list_.build(all_, balls_, this->settings_.self, this->settings_.search, this->pairs_.get(), on_faces_ != nullptr,
-              source.sharers);
-  if (on_faces_) on_faces_->build(source, motion_, horizon);
+              source.sharers, joined_);
+  if (on_faces_) on_faces_->build(source, motion_, joined_, horizon);
   if (this->lists_outdated_) ended_energy_ += stored_before - list_.stored_energy();
   this->lists_outdated_ = false;
   list_valid_ = true;
@@ -329,7 +330,7 @@ void PinballAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>&
 
 template <class S>
 std::size_t PinballAlgorithm<S>::bytes() const {
-  return pinballs_.bytes() + list_.bytes() + host_kernels_.bytes() + surface_.bytes() + all_.bytes() +
+  return pinballs_.bytes() + list_.bytes() + host_kernels_.bytes() + surface_.bytes() + joined_.bytes() + all_.bytes() +
          all_before_.bytes() + balls_.bytes() + motion_.bytes() + radius_.capacity() * sizeof(S) +
          node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() +
          (this->impulses_ ? this->impulses_->bytes() : 0) + (on_faces_ ? on_faces_->bytes() : 0) +

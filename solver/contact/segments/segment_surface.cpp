@@ -218,7 +218,6 @@ bool SegmentSurface<S>::faces(std::size_t slave, const Vec3<S>& normal) const {
 
 template <class S>
 bool SegmentSurface<S>::beside(std::span<const std::int32_t> some, std::span<const std::int32_t> others) const {
-  if (some.empty() || others.empty() || segments_[some[0]].body != segments_[others[0]].body) return false;
   for (const std::int32_t a : some) {
     for (const std::int32_t b : others) {
       if (active_segment(a) && active_segment(b) && share_corner(segments_[a].corners, segments_[b].corners))

@@ -83,14 +83,11 @@ class SegmentSurface {
   std::span<const std::int32_t> around(std::size_t slave) const {
     return {around_.data() + around_first_[slave], around_.data() + around_first_[slave + 1]};
   }
-  /// Whether some active segments of one body belong to elements that have a corner in common with those of others:
-  /// these are kept apart by the mesh.
+  /// Whether some active segments belong to elements that have a corner in common with those of others: these are kept
+  /// apart by the mesh, also where they are of several bodies.
   bool beside(std::span<const std::int32_t> some, std::span<const std::int32_t> others) const;
   /// The same of two segments, which are taken to be active.
-  bool beside(std::int32_t a, std::int32_t b) const {
-    const Segment &own = segments_[a], &other = segments_[b];
-    return own.body == other.body && share_corner(own.corners, other.corners);
-  }
+  bool beside(std::int32_t a, std::int32_t b) const { return share_corner(segments_[a].corners, segments_[b].corners); }
   bool active_segment(std::int32_t segment) const { return active_[segment] > S(0); }
   /// Slaves of the nodes of a segment.
   const std::array<std::int32_t, 4>& slaves_of(std::int32_t segment) const { return slaves_of_[segment]; }

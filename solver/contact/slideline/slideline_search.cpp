@@ -9,7 +9,10 @@ namespace pinball {
 
 template <class S>
 SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, bool self)
-    : self_(self), reference_node_(source.node_count), reference_centre_(source.slots) {
+    : self_(self),
+      joined_(source, surface.topology()),
+      reference_node_(source.node_count),
+      reference_centre_(source.slots) {
   for (auto& node : reference_node_) node[3] = std::numeric_limits<float>::max();
   const auto single = [](const Point& p) {
     return std::array{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
@@ -29,8 +32,8 @@ SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const Segmen
 
 template <class S>
 bool SlidelineSearch<S>::may_touch(const Slave& own, const Segment& other, S own_radius) const {
-  if (own.body != other.body) return true;
-  if (!self_ || other.rigid) return false;
+  if (!joined_.are_one(own.body, other.body)) return true;
+  if (own.body == other.body && (!self_ || other.rigid)) return false;
   const std::array<float, 4>& p = reference_node_[own.node];
   const std::array<float, 3>& q = reference_centre_[other.slot];
   float d2 = 0;
@@ -168,7 +171,7 @@ void SlidelineSearch<S>::persist(StateArchive& archive, const SegmentSurface<S>&
 template <class S>
 std::size_t SlidelineSearch<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return of(reference_node_) + of(reference_centre_) + of(start_) + of(candidate_) + motion_.bytes() +
+  return joined_.bytes() + of(reference_node_) + of(reference_centre_) + of(start_) + of(candidate_) + motion_.bytes() +
          segments_.bytes() + slaves_.bytes() + boxes_.bytes();
 }
 

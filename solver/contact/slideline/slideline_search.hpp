@@ -8,6 +8,7 @@
 #include <solver/contact/search/moving_balls.hpp>
 #include <solver/contact/search/surface_motion.hpp>
 #include <solver/contact/segments/segment_surface.hpp>
+#include <solver/contact/surface/joined_bodies.hpp>
 
 namespace pinball {
 
@@ -39,9 +40,9 @@ class SlidelineSearch {
   const std::int32_t* candidates(std::size_t slave) const { return candidate_.data() + start_[slave]; }
   std::int64_t count(std::size_t slave) const { return start_[slave + 1] - start_[slave]; }
   const std::vector<std::int32_t>& listed() const { return candidate_; }  ///< segments
-  /// A node touches a segment of its own body only if they were well apart at first: what is near was kept apart by the
-  /// mesh. The radius of a slave, which this is measured by, is that of the surface around it as it is now: lists,
-  /// which last, have all that may pass.
+  /// A node touches a segment of its own body, or of one that is joined to this, only if they were well apart at first:
+  /// what is near was kept apart by the mesh. The radius of a slave, which this is measured by, is that of the surface
+  /// around it as it is now: lists, which last, have all that may pass.
   bool may_touch(const Slave& own, const Segment& other) const { return may_touch(own, other, own.radius); }
   void persist(StateArchive& archive, const SegmentSurface<S>& surface, std::int32_t node_count);
   std::int64_t entries() const { return candidate_.size(); }  ///< of all lists
@@ -56,6 +57,7 @@ class SlidelineSearch {
   void find(const SegmentSurface<S>& surface, const ContactPairs* pairs);
 
   bool self_;
+  JoinedBodies joined_;
   std::vector<std::array<float, 4>> reference_node_;    ///< per node of the store: undeformed, and as fourth the radius
                                                         ///< of the smallest element around it [length]
   std::vector<std::array<float, 3>> reference_centre_;  ///< per slot, undeformed [length]

@@ -69,18 +69,18 @@ void SphereLists<S>::set_boxes(const SurfaceSource<S>& source, const SegmentSurf
 template <class S>
 void SphereLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
                            const SphereSurface<S>& spheres, const SurfaceMotion<S>& motion,
-                           const ContactSettings& settings, S horizon) {
+                           const ContactSettings& settings, const JoinedBodies& joined, S horizon) {
   set_boxes(source, surface, spheres, motion, horizon);
   const std::int32_t segments = surface.segments().size();
-  // As for pinballs: what belongs to one body may touch where it was apart in the undeformed mesh.
+  // As for pinballs: what belongs to one body, or to joined ones, may touch where it was apart in the undeformed mesh.
   const auto may_touch = [&](std::int32_t a, std::int32_t b) {
     if (a >= segments || b < segments) return false;
     const auto& segment = surface.segments()[a];
     const auto& sphere = spheres.spheres()[b - segments];
     const auto& corners = segment.corners;
     if (std::find(corners.begin(), corners.end(), sphere.node) != corners.end()) return false;
-    if (segment.body != sphere.body) return true;
-    if (!settings.self) return false;
+    if (!joined.are_one(segment.body, sphere.body)) return true;
+    if (segment.body == sphere.body && !settings.self) return false;
     const Point c = source.element(segment.slot).centre(), s = source.element(sphere.slot).centre();
     const double reach =
         settings.radius_factor * static_cast<double>(segment.radius) + static_cast<double>(sphere.radius);

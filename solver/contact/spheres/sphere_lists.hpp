@@ -7,6 +7,7 @@
 #include <solver/contact/search/box_pairs.hpp>
 #include <solver/contact/search/surface_motion.hpp>
 #include <solver/contact/segments/segment_surface.hpp>
+#include <solver/contact/surface/joined_bodies.hpp>
 
 #include "sphere_surface.hpp"
 
@@ -21,9 +22,10 @@ inline constexpr double deepest_centre = 0.5;
 template <class S>
 class SphereLists {
  public:
-  /// Builds the lists from nothing. motion: as started with the nodes of source; horizon: the time to come [time].
+  /// Builds the lists from nothing. motion: as started with the nodes of source; joined: bodies that hang together;
+  /// horizon: the time to come [time].
   void build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres,
-             const SurfaceMotion<S>& motion, const ContactSettings& settings, S horizon);
+             const SurfaceMotion<S>& motion, const ContactSettings& settings, const JoinedBodies& joined, S horizon);
 
   /// Numbers of the segments that sphere s may touch: places first(s) to first(s + 1), ascending.
   std::int64_t first(std::int64_t s) const { return first_[s]; }

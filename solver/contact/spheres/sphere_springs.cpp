@@ -74,12 +74,13 @@ double SphereSprings<S>::remove_eroded(const std::vector<std::int64_t>& eroded) 
 }
 
 template <class S>
-void SphereSprings<S>::build(const SurfaceSource<S>& source, const SurfaceMotion<S>& motion, S horizon) {
+void SphereSprings<S>::build(const SurfaceSource<S>& source, const SurfaceMotion<S>& motion, const JoinedBodies& joined,
+                             S horizon) {
   if (surface_.changed()) {
     surface_.collect(source);
     collect_stiffness(source);
   }
-  lists_.build(source, surface_, spheres_, motion, settings_, horizon);
+  lists_.build(source, surface_, spheres_, motion, settings_, joined, horizon);
 }
 
 template <class S>

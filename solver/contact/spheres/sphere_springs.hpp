@@ -40,7 +40,7 @@ class SphereSprings {
   /// Whether what erosion has exposed is in the lists.
   bool complete() const { return surface_.complete(); }
   /// Builds the lists: see SphereLists.
-  void build(const SurfaceSource<S>& source, const SurfaceMotion<S>& motion, S horizon);
+  void build(const SurfaceSource<S>& source, const SurfaceMotion<S>& motion, const JoinedBodies& joined, S horizon);
   /// Nodes of all that is in the lists, some several times.
   std::vector<std::int32_t> listed_nodes() const;
   std::int64_t listed_pairs() const { return lists_.pairs(); }
