@@ -217,7 +217,7 @@ TEST(EmbeddedSpheres, TakeNoPartOnceTheyAreDead) {
 /// A small sphere, node 8, beside a heavy cube, at rest.
 class SphereAndCube {
  public:
-  SphereAndCube(const Vector& at, const Vector& moving) {
+  SphereAndCube(const Vector& at, const Vector& moving, double radius = 0.3) : radius_(radius) {
     all.options.damping = 0;
     all.node = {8};
     for (const Vector& c :
@@ -248,7 +248,7 @@ class SphereAndCube {
 
  private:
   std::array<std::int32_t, 8> corners_{0, 1, 2, 3, 4, 5, 6, 7};
-  double modulus_ = 1e4, radius_ = 0.3;
+  double modulus_ = 1e4, radius_;
 };
 
 /// One that has gone in with its centre is stopped as one that has not, and goes out by the way that it came.
@@ -306,6 +306,46 @@ TEST(EmbeddedSpheres, HitHexahedra) {
       for (std::size_t n = 0; n < 8; ++n) cube = sum(cube, now.velocity[n]);
       EXPECT_NEAR(cube[0], 0, 1e-12);
       EXPECT_LT(cube[2], 0);
+    }
+  }
+}
+
+/// Over a face that meets the one below at less than a right angle, beside their edge: what is before the one is behind
+/// the other, and outside. The impulse is along the normal of the face alone.
+TEST(EmbeddedSpheres, ArePushedByTheFaceThatIsNearestAtASharpEdge) {
+  struct Place {
+    double degrees, radius;
+  };
+  for (const auto& [degrees, radius] : {Place{27, 0.3}, {45, 0.5}, {45, 0.2}, {60, 0.2}, {75, 0.05}}) {
+    for (const std::int32_t enforcement : {PINBALL_CONTACT_PROJECTION, PINBALL_CONTACT_LAGRANGE}) {
+      for (const std::int32_t keep_lists : {0, 1}) {
+        const double slope = degrees * M_PI / 180, edge = 1 + 3 / std::tan(slope);
+        const Vector normal{std::sin(slope), 0, std::cos(slope)}, upwards{-normal[2], 0, normal[0]};
+        const double from_edge = 1.05 * radius * std::tan(slope) + 0.01, height = radius + 0.02;
+        SphereAndCube scene(
+            {edge + from_edge * upwards[0] + height * normal[0], 1, from_edge * upwards[2] + height * normal[2]},
+            {-normal[0], 0, -normal[2]}, radius);
+        Spheres& now = scene.all;
+        for (std::size_t n = 0; n < 8; ++n) {
+          Vector& x = now.position[n];
+          x = {x[0] * (x[2] > 0 ? 1 : edge), 2 * x[1], 3 * x[2]};
+          now.mass[n] = 1e6;
+        }
+        now.options.enforcement = enforcement;
+        now.options.gap = PINBALL_CONTACT_GAP_FACE;
+        now.options.keep_lists = keep_lists;
+        EmbeddedContact contact(now.options, scene.mesh, interleaved(now.position[0].data()));
+        Vector impulse{};
+        for (int i = 0; i < 100; ++i) {
+          now.step(contact, 2e-3);
+          for (std::size_t k = 0; k < 3; ++k) impulse[k] += 2e-3 * now.force[8][k] / now.mass[8];
+        }
+        SCOPED_TRACE(::testing::Message() << degrees << " degrees, radius " << radius << ", enforcement " << enforcement
+                                          << ", keep_lists " << keep_lists);
+        EXPECT_GT(impulse[0] * normal[0] + impulse[2] * normal[2], 0.99) << "it is to be stopped";
+        EXPECT_NEAR(impulse[0] * upwards[0] + impulse[2] * upwards[2], 0, 1e-6);
+        EXPECT_NEAR(impulse[1], 0, 1e-6);
+      }
     }
   }
 }
