@@ -228,6 +228,26 @@ TEST(SlidelineSprings, LeaveGapsOfRoundOffAlone) {
   EXPECT_GT(pairs_at_depth(scene, 1.02 * round_off, 0), 0);
 }
 
+/// A node whose foot is on the edge of two segments goes from one to the other by round-off, also while it leaves.
+TEST(SlidelineSprings, GiveBackWhatTheyHoldWhereAFootChangesItsSegment) {
+  const double h = impact_h;
+  const auto dissipated = [&](double shift, double& worst) {
+    Scene scene = scene_of(
+        {block("a", {4, 4, 3}, h, {0, 0, 0}), block("b", {2, 2, 2}, h, {h + shift, h + shift, 3.005 * h}, {0, 0, -10})},
+        8e-4);
+    scene.contact.method = ContactMethod::slideline;
+    scene.contact.enforcement = Enforcement::penalty;
+    Solver<double> solver(scene);
+    run_to_end(solver, [&] { worst = std::max(worst, std::abs(solver.balance_error())); });
+    EXPECT_EQ(solver.counts().pairs(), 0) << "they have parted";
+    return solver.energies().contact_damped;
+  };
+  double worst_within = 0, worst_on_edges = 0;
+  const double within = dissipated(0.3 * h, worst_within), on_edges = dissipated(0, worst_on_edges);
+  EXPECT_NEAR(on_edges, within, 0.1 * within);
+  EXPECT_LT(worst_on_edges, 1.5 * worst_within);
+}
+
 TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform(-1, 1);

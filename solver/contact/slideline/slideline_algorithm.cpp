@@ -15,13 +15,13 @@ namespace {
 /// How far beyond an edge a foot may lie, over the radius of the segment: round-off on a common edge.
 constexpr double edge_margin = 1e-3;
 
-/// Rate at which the gap of a node closes [length/time].
+/// Velocity of the foot relative to its node: along the normal, how fast the gap closes [length/time].
 template <class S>
-S closing_rate(const NodeRecords<S>& nodes, std::int32_t slave, const std::int32_t (&node)[4],
-               const FaceProjection<S>& at) {
+Vec3<S> closing_velocity(const NodeRecords<S>& nodes, std::int32_t slave, const std::int32_t (&node)[4],
+                         const FaceProjection<S>& at) {
   Vec3<S> v = S(-1) * vector_of(nodes.v(slave));
   for (int i = 0; i < 4; ++i) v = v + at.weight[i] * vector_of(nodes.v(node[i]));
-  return dot(v, at.normal);
+  return v;
 }
 
 }  // namespace
@@ -196,25 +196,30 @@ bool SlidelineAlgorithm<S>::penalty_force(const SurfaceSource<S>& source, Touch&
   const S round_off = S(4096) * std::numeric_limits<S>::epsilon() * segment.radius;
   const S depth = S(0) - touch.at.gap - round_off;
   if (!(depth > S(0)) && memory.slot < 0) return false;
-  const S rate = closing_rate<S>(source, slave.node, segment.node, touch.at);
-  sums.damped += S(0.5) * memory.damping * rate * dt;  // the second half of the last one's work
-  if (!(depth > S(0))) {                               // open within round-off: the node keeps its segment
+  const Vec3<S> closing = closing_velocity<S>(source, slave.node, segment.node, touch.at);
+  const bool is_next = memory.slot >= 0 && (memory.slot != segment.slot || memory.face != segment.face);
+  // Forces of the last segment go on along its normal until now; the foot is the same point on the edge of both.
+  const S rate = dot(closing, touch.at.normal), rate_before = is_next ? dot(closing, memory.normal) : rate;
+  sums.damped += S(0.5) * memory.damping * rate_before * dt;  // the second half of the last one's work
+  if (!(depth > S(0))) {                                      // open within round-off: the node keeps its segment
     memory.offset = memory.elastic = memory.stored = memory.damping = S(0);
     return false;
   }
   const S approach = maximum(S(0), rate) * dt;
   const S stiffness = S(0.25) * beta_ * (slave.stiffness + slave.share * segment.stiffness);
   S elastic = memory.slot >= 0 ? depth - minimum(memory.offset, depth) : minimum(depth, approach);
-  if (memory.slot >= 0 && (memory.slot != segment.slot || memory.face != segment.face)) {
-    // Where the next segment is not the continuation of the last, the depth jumps: it may not create energy, and what
-    // it destroys is counted.
-    const S continued = memory.elastic + approach;
-    elastic = minimum(elastic, continued);
-    sums.lost += S(0.5) * stiffness * (continued * continued - elastic * elastic);
+  if (is_next) elastic = minimum(elastic, memory.elastic + approach);
+  const S stored = S(0.5) * stiffness * elastic * elastic;
+  if (is_next) {
+    // Where the next segment is not the continuation of the last, the depth jumps: it may not go up, and what the work
+    // of the step put in and the spring has not is counted.
+    const S force_before = memory.elastic > S(0) ? S(2) * memory.stored / memory.elastic : S(0);
+    const S work = S(0.5) * (force_before * rate_before + stiffness * elastic * rate) * dt;
+    sums.lost += memory.stored + work - stored;
   }
   memory.offset = depth - elastic;
   memory.elastic = elastic;
-  memory.stored = S(0.5) * stiffness * elastic * elastic;
+  memory.stored = stored;
 
   S inverse_mass = source.inverse_mass[slave.node];
   for (int i = 0; i < 4; ++i) {
