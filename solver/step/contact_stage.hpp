@@ -57,6 +57,12 @@ class ContactStage {
   /// impulse_nodes(), by what stops them afterwards.
   ContactWork after_constraints(Model<S>& model, const StepLengths& step, std::span<const NodeBound> bounds,
                                 Timers& timers);
+  /// Whether bounds have rubbed these; then, when walls have acted.
+  bool was_rubbed() const { return acts_on_velocities() && contact_->was_rubbed(); }
+  void follow_bounds(Model<S>& model, const StepLengths& step) {
+    show_impulse_nodes();
+    contact_->follow_bounds(ModelSurface<S>(model), step);
+  }
   /// Nodes to which after_constraints will add.
   std::span<const std::int32_t> impulse_nodes() const {
     return acts_on_velocities() ? std::span<const std::int32_t>(contact_->impulse_nodes())

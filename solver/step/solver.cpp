@@ -290,6 +290,9 @@ void Solver<S>::wall_reactions(const Due& due) {
     }
     boundary_.count_work(space_->nodes(NodeNumbers::none), clock_.lengths());
   });
+  if (contact_.was_rubbed()) {
+    timers_.measure(Phase::contact_forces, [&] { contact_.follow_bounds(model_, clock_.lengths()); });
+  }
 }
 
 /// Returns the energies of the nodes that are integrated in this step of the cycle.

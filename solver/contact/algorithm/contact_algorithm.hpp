@@ -129,6 +129,12 @@ class ContactAlgorithm {
   /// constraints. bounds: what will stop nodes of impulse_nodes() after that, in their order.
   ContactWork after_constraints(const SurfaceSource<S>& source, const StepLengths& step,
                                 std::span<const NodeBound> bounds = {});
+  /// Whether nodes to which it added are rubbed by what stops them: then their work is known when that has been done.
+  bool was_rubbed() const { return impulses_ && impulses_->was_rubbed(); }
+  /// Then. step: of after_constraints.
+  void follow_bounds(const SurfaceSource<S>& source, const StepLengths& step) {
+    impulses_->follow_bounds(source, step);
+  }
   /// Whether after_constraints adds forces: what it adds in held directions the constraints have to take up again.
   bool acts_on_velocities() const { return impulses_ != nullptr; }
 

@@ -18,6 +18,7 @@ template <class S>
 void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) {
   contacts_ = rows_.size();
   bound_friction_.clear();
+  rubbed_.clear();
   rubs_ = has_friction_;
   if (contacts_ == 0 || !(dt > 0)) return;
   double fastest = 0;
@@ -36,6 +37,7 @@ void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) 
     bound_friction_.push_back(bound.friction);
     if (bound.friction > 0) {
       rubs_ = true;
+      rubbed_.push_back(place);
       std::copy(bound.sliding.begin(), bound.sliding.end(), pair.sliding_before);
     }
     const std::int64_t second = first_bound - bound.wall;
@@ -45,6 +47,8 @@ void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) 
     pair.memory.first = bound.node;
     pair.memory.second = second;
   }
+  std::sort(rubbed_.begin(), rubbed_.end());
+  rubbed_.erase(std::unique(rubbed_.begin(), rubbed_.end()), rubbed_.end());
 }
 
 template <class S>
@@ -57,9 +61,22 @@ void ImpulseSolver<S>::drop_bounds() {
   if (!frictions_.empty()) frictions_.resize(contacts_);
 }
 
+template <class S>
+void ImpulseSolver<S>::follow_bounds(const SurfaceSource<S>& source, const StepLengths& step) {
+  const double velocity_step = step.velocity();
+  for (const std::int32_t place : rubbed_) {
+    const std::int32_t n = node_[place];
+    const Vec3<double> force = system_.impulse_at(place, row_vector_.data());  // taken from that of the node
+    const Vec3<double> after =
+        double_vector_of(source.v(n)) + (velocity_step * source.inverse_mass[n]) * double_vector_of(source.f(n));
+    pending_ += 0.5 * velocity_step * dot(force, after - vector_of(record(velocity_.data(), place)));
+  }
+}
+
 #define PINBALL_INSTANTIATE(S)                                                    \
   template void ImpulseSolver<S>::add_bounds(std::span<const NodeBound>, double); \
-  template void ImpulseSolver<S>::drop_bounds();
+  template void ImpulseSolver<S>::drop_bounds();                                  \
+  template void ImpulseSolver<S>::follow_bounds(const SurfaceSource<S>&, const StepLengths&);
 PINBALL_INSTANTIATE(double)
 PINBALL_INSTANTIATE(float)
 #undef PINBALL_INSTANTIATE
