@@ -57,11 +57,12 @@ std::vector<NodeBound> RigidWalls<S>::bounds(const NodeArrays<S>& nodes, std::sp
       const S* const v = nodes.velocity + 4 * std::int64_t(node);
       if (wall.takes[node] == 0) continue;
       if (!wall_takes(wall.plane, x, static_cast<S>(result.displacement))) continue;
-      const double rate = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
+      const double rate = n[0] * v[0] + n[1] * v[1] + n[2] * v[2], height = wall_height(wall.plane, x);
       found.push_back({node,
                        static_cast<std::int32_t>(w),
                        {n[0], n[1], n[2]},
-                       wall_height(wall.plane, x) - after,
+                       height - after,
+                       height - result.displacement,
                        velocity - rate,
                        std::min<double>(wall.plane.friction, infinite_friction<double>),
                        {v[0] - rate * n[0], v[1] - rate * n[1], v[2] - rate * n[2]}});

@@ -139,7 +139,7 @@ TEST(ImpulsesOfTwoNodes, KnowTheFrictionOfAPlaneThatBoundsANode) {
       solver.add_node(0, -1);
       solver.add_node(1, 1);
       solver.finish_rows(nodes, 1.0);
-      const std::vector<NodeBound> floor{{0, 0, {0, 0, 1}, 0, 0, friction, {0, 0, 0}}};
+      const std::vector<NodeBound> floor{{0, 0, {0, 0, 1}, 0, 0, 0, friction, {0, 0, 0}}};
       solver.solve(nodes, {1.0, 1.0}, floor);
       const Vec3<double> force = nodes.force_of(0), along = force - force.z * up;
       ASSERT_LT(force.z, 0);

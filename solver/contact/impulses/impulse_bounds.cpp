@@ -25,7 +25,8 @@ void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) 
   for (const Pair& pair : pairs_) fastest = std::max(fastest, std::abs(pair.rate_before));
   std::size_t place = 0;  // bounds come in the order of the nodes
   for (const NodeBound& bound : bounds) {
-    if (bound.gap > 2 * dt * (fastest + std::abs(bound.rate))) continue;
+    // A node may go with a plane that goes away.
+    if (std::min(bound.gap, bound.present) > 2 * dt * (fastest + std::abs(bound.rate))) continue;
     while (node_[place] != bound.node) place = place + 1 < node_.size() ? place + 1 : 0;
     const auto& n = bound.normal;
     rows_.rows.push_back({{n[0], n[1], n[2]}, rows_.node.size(), 1});

@@ -12,6 +12,7 @@ struct NodeBound {
   std::int32_t wall;  ///< number of the plane
   Point normal;       ///< to the free side, of unit length
   double gap;         ///< of the node before the step, from where the plane is after it [length]
+  double present;     ///< the same from where the plane is before it [length]
   double rate;        ///< at which the gap closes before the step [length/time]
   double friction;    ///< coefficient, finite also where nothing slides [-]
   Point sliding;      ///< of the node before the step, across the normal [length/time]

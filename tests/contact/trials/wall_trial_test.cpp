@@ -132,6 +132,26 @@ TEST_P(WallTrial, AllKindsOfWallsThatRubKeepTheBalance) {
   worst("upright wall beside it", [&](Scene& scene) { add_side(scene, Plane{{0, -1e-6, 0}, {0, 1, 0}}); });
 }
 
+/// A wall that is pushed away, or goes away by itself, goes on to stop the nodes that are pressed on it.
+TEST_P(WallTrial, NodesThatABodyPressesOnAWallThatGoesAwayKeepTheBalance) {
+  for (const double friction : {0.0, 0.3}) {
+    for (const double mass : {500.0, 0.0}) {
+      const std::string trial = fmt::format("overhang on a wall of mass {} with friction {}", mass, friction);
+      const double balance = run_of(trial, [&] {
+        Scene scene = rubbed_overhang(1, 0.5, 3, friction, 0);
+        scene.rigid_walls[0].mass = mass;
+        if (mass == 0) {
+          scene.rigid_walls[0].speed = -10;
+          for (Body& body : scene.bodies) body.velocity[2] = -10;
+        }
+        Solver<double> solver(with_contact(scene, GetParam()));
+        return worst_balance_of_run(solver);
+      });
+      at_most(trial + ", balance", balance, 1e-3);
+    }
+  }
+}
+
 /// A held body of other elements in place of the wall, and shorter steps, tell what the blocks should come to: 2,270 J.
 TEST_P(WallTrial, FrictionAtAWallIsThatOnABodyInItsPlace) {
   const auto kinetic_at_end = [&](const std::string& trial, const Scene& scene) {
