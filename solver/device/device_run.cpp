@@ -89,11 +89,8 @@ void DeviceRun<S>::share_with_ranks() {
 
 template <class S>
 void DeviceRun<S>::bring_back() {
-  if (domain_ == nullptr) {
-    bring_own();
-  } else {
-    domain_->bring_back(model_);
-  }
+  if (domain_ == nullptr) return bring_own();
+  domain_->bring_back(model_);
 }
 
 /// Of several ranks: of what this one works.
@@ -124,8 +121,7 @@ void DeviceRun<S>::bring_nodes() {
 
 template <class S>
 void DeviceRun<S>::take_velocities() {
-  const std::size_t numbers = model_.nodes.velocity.size();
-  std::vector<S> position(numbers), velocity(numbers), force(numbers);
+  std::vector<S> position(model_.nodes.position.size()), velocity(position), force(position);
   step_->read_nodes(position.data(), velocity.data(), force.data());
   step_->write_nodes(position.data(), model_.nodes.velocity.data(), force.data());
   common_->equal_motion();
@@ -134,9 +130,8 @@ void DeviceRun<S>::take_velocities() {
 template <class S>
 const S* DeviceRun<S>::forces(std::vector<S>& memory) {
   common_->give(NodeNumbers::none);
-  const std::size_t numbers = model_.nodes.force.size();
-  std::vector<S> position(numbers), velocity(numbers);
-  memory.resize(numbers);
+  std::vector<S> position(model_.nodes.position.size()), velocity(position);
+  memory.resize(position.size());
   step_->read_nodes(position.data(), velocity.data(), memory.data());
   return memory.data();
 }
@@ -163,8 +158,7 @@ void DeviceRun<S>::send_state() {
   step_->write(state_);
   take_masses();
   common_->equal_motion();
-  any_eroded_ =
-      std::ranges::any_of(model_.slot_of_element, [this](std::int64_t slot) { return !model_.elements.alive(slot); });
+  any_eroded_ = std::ranges::any_of(model_.slot_of_element, [this](auto slot) { return !model_.elements.alive(slot); });
 }
 
 /// The same. Returns whether tiles that rest were found anew.
