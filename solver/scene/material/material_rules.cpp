@@ -59,14 +59,17 @@ const char* other_hardening(const Material& m) {
                                  : nullptr;
 }
 
+/// What is wrong with a table of a material, by the name that its key has there.
+std::optional<Problem> inside(const char* table, std::optional<Problem> problem) {
+  if (problem) problem->key = fmt::format("{}.{}", table, problem->key);
+  return problem;
+}
+
 /// What stands beside such a law, and the part that is wrong in itself.
 std::optional<Problem> problem_of_johnson_cook(const Material& m) {
   const char* const other = other_hardening(m);
   if (other != nullptr) return Problem{other, "expected none beside johnson_cook"};
-  if (const auto problem = problem_of(*m.johnson_cook)) {
-    return Problem{fmt::format("johnson_cook.{}", problem->key), problem->text};
-  }
-  return {};
+  return inside("johnson_cook", problem_of(*m.johnson_cook));
 }
 
 /// The same of a brittle one.
@@ -80,10 +83,7 @@ std::optional<Problem> problem_of_johnson_holmquist(const Material& m) {
   if (m.strain_rate == StrainRate::plastic) {
     return Problem{"strain_rate", "expected \"total\" or \"deviatoric\" beside johnson_holmquist"};
   }
-  if (const auto problem = problem_of(*m.johnson_holmquist, m.bulk_modulus)) {
-    return Problem{fmt::format("johnson_holmquist.{}", problem->key), problem->text};
-  }
-  return {};
+  return inside("johnson_holmquist", problem_of(*m.johnson_holmquist, m.bulk_modulus));
 }
 
 /// The same of one whose strength is of the pressure alone.
@@ -94,10 +94,7 @@ std::optional<Problem> problem_of_drucker_prager(const Material& m) {
                             : m.fluid             ? "fluid"
                                                   : other_hardening(m);
   if (other != nullptr) return Problem{other, "expected none beside drucker_prager"};
-  if (const auto problem = problem_of(*m.drucker_prager)) {
-    return Problem{fmt::format("drucker_prager.{}", problem->key), problem->text};
-  }
-  return {};
+  return inside("drucker_prager", problem_of(*m.drucker_prager));
 }
 
 /// What stands beside a fluid that only solids have, and what it needs.
@@ -119,16 +116,11 @@ std::optional<Problem> problem_of_fluid(const Material& m) {
 }
 
 std::optional<Problem> problem_of_equation_of_state(const Material& m) {
-  if (const auto problem = problem_of(*m.equation_of_state)) {
-    return Problem{fmt::format("equation_of_state.{}", problem->key), problem->text};
-  }
-  return {};
+  return inside("equation_of_state", problem_of(*m.equation_of_state));
 }
 
 std::optional<Problem> problem_of_erosion(const Material& m) {
-  if (const auto problem = problem_of(*m.erosion)) {
-    return Problem{fmt::format("erosion.{}", problem->key), problem->text};
-  }
+  if (const auto problem = inside("erosion", problem_of(*m.erosion))) return problem;
   const auto beyond = [&](const char* key, double limit) {
     return Problem{"erosion.tension",
                    fmt::format("expected a number < {} = {}, beyond which there is no tension, got {}", key, limit,
@@ -214,9 +206,7 @@ std::optional<Problem> problem_of(const Material& material) {
   }
   if (material.orthotropic) {
     if (material.mooney_rivlin) return Problem{"mooney_rivlin", "expected none beside orthotropic"};
-    if (const auto problem = problem_of(*material.orthotropic)) {
-      return Problem{fmt::format("orthotropic.{}", problem->key), problem->text};
-    }
+    if (const auto problem = inside("orthotropic", problem_of(*material.orthotropic))) return problem;
   }
   if (material.johnson_cook) {
     if (const auto problem = problem_of_johnson_cook(material)) return problem;
