@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include <solver/verification/solver_run.hpp>
-#include <tests/support/solver_case.hpp>
+#include "stretched_cube.hpp"
 
 /// Bodies of Johnson and Holmquist's brittle materials.
 namespace pinball::test::brittle_test {
@@ -94,8 +93,6 @@ struct Integration {
   }
 };
 
-/// Stretches of the edges over the part of a run, from 0 to 1.
-using Way = std::array<double, 3> (*)(double part);
 std::array<double, 3> pressed_and_let_go(double part) {
   return {1, 1, 1 - 0.12 * std::sin(M_PI * part) * (part < 0.5 ? 1 : 0.8) - (part < 0.5 ? 0 : 0.024)};
 }
@@ -116,23 +113,11 @@ TEST(Brittle, FollowsTheEquationsOfThePaper) {
   bool pressed_by_fragments = false, broken = false, partly_broken = false;
   for (const Material& material : {alumina(), glass(), carbide()}) {
     for (const Way way : {pressed_and_let_go, pulled_and_pressed, pressed_then_sheared}) {
-      constexpr double end = 4e-4, h = 0.01;
-      Scene scene = scene_of({block("cube", {1, 1, 1}, h, {0, 0, 0})}, end, false);
-      scene.materials = {material};
-      scene.element.bulk_viscosity = false;
-      scene.guard.energy_error = 1e30;
-      Solver<double> solver(scene);
-      PrescribedMotion motion(solver, [&](const Point& start, double time) {
-        const std::array<double, 3> stretch = way(time / end);
-        return Point{start[0] * stretch[0], start[1] * stretch[1], start[2] * stretch[2]};
-      });
+      constexpr double end = 4e-4;
       Integration expected(material);
-      double largest = 1e6, before = 0;
-      while (!solver.at_end()) {
-        motion.step();
-        const double now = solver.force_time();  // of the stress
-        if (now > before) expected.stretch_to(way(now / end), now - before);
-        before = now;
+      double largest = 1e6;
+      const auto last = stretch_cube(material, way, end, [&](const Solver<double>& solver, double now, double dt) {
+        if (dt > 0) expected.stretch_to(way(now / end), dt);
         const std::array<double, 6> stress = stress_of(solver, 0);
         for (std::size_t k = 0; k < 3; ++k) {
           const double own = expected.deviator[k] - expected.pressure;
@@ -140,8 +125,8 @@ TEST(Brittle, FollowsTheEquationsOfThePaper) {
           ASSERT_NEAR(stress[k], own, 1e-10 * largest) << material.density << " at " << now;
         }
         partly_broken = partly_broken || (expected.damage > 0.2 && expected.damage < 0.8);
-      }
-      EXPECT_NEAR(damage_of(solver), expected.damage, 1e-9);
+      });
+      EXPECT_NEAR(damage_of(*last), expected.damage, 1e-9);
       EXPECT_GT(expected.plastic, 1e-3);
       broken = broken || expected.damage == 1;
       pressed_by_fragments = pressed_by_fragments || expected.bulking > 1e8;
