@@ -1,4 +1,4 @@
-#include "element_fixture.hpp"
+#include "strained_cube.hpp"
 
 /// The element kernel with laws of kernels/material that have their own state: heat, damage, equations of state.
 namespace pinball::element_laws_test {
@@ -112,63 +112,6 @@ TEST(LawsOfElements, PacksThatCrushGiveWhatTheirLanesGive) {
   expect_packs_that_crush_as_lanes<HourglassKind::stiffness>();
   expect_packs_that_crush_as_lanes<HourglassKind::assumed_strain>();
 }
-
-/// A unit cube of density 3 that is strained by one rate, from the last step to the next; positions are those of the
-/// end of the step.
-class StrainedCube {
- public:
-  static constexpr ElementFeatures features{true, true, true, HourglassKind::none, YieldLaw::general};
-
-  explicit StrainedCube(const ElementConstants<double>& constants) : constants_(constants) { state_.mass = 3; }
-
-  /// diagonal: logarithmic rates along the axes; shear: dv_x/dy.
-  void strain(const Vec3<double>& diagonal, double shear, double dt) {
-    ElementScene scene;
-    scene.constants = constants_;
-    scene.dt = dt;
-    const Vec3<double> before = stretch_;
-    const double sheared = shear_;
-    stretch_ = {before.x * std::exp(diagonal.x * dt), before.y * std::exp(diagonal.y * dt),
-                before.z * std::exp(diagonal.z * dt)};
-    shear_ += shear * dt;
-    Corners x, v;
-    for (std::size_t i = 0; i < 8; ++i) {
-      const Vec3<double> corner = unit_corner(i);
-      x[i] = at(corner, stretch_, shear_);
-      v[i] = (1 / dt) * (x[i] - at(corner, before, sheared));
-    }
-    scene.add(x, v, state_);
-    const ElementOutcome out = advance<double, features>(scene);
-    internal_ += out.internal;
-    viscous_ += out.viscous;
-    eroded_ += out.eroded_count;
-    time_step_ = out.time_step;
-    state_ = out.element[0];
-  }
-  const ElementState& state() const { return state_; }
-  double internal() const { return internal_; }
-  double viscous() const { return viscous_; }
-  const Vec3<double>& stretch() const { return stretch_; }
-  double volume() const { return stretch_.x * stretch_.y * stretch_.z; }
-  double time_step() const { return time_step_; }
-  int eroded() const { return eroded_; }
-  double pressure() const { return -trace(state_.stress) / 3; }
-
- private:
-  static Vec3<double> unit_corner(std::size_t i) {
-    return {i == 1 || i == 2 || i == 5 || i == 6 ? 1.0 : 0.0, i == 2 || i == 3 || i == 6 || i == 7 ? 1.0 : 0.0,
-            i > 3 ? 1.0 : 0.0};
-  }
-  static Vec3<double> at(const Vec3<double>& corner, const Vec3<double>& stretch, double shear) {
-    return {stretch.x * corner.x + shear * corner.y, stretch.y * corner.y, stretch.z * corner.z};
-  }
-
-  ElementConstants<double> constants_;
-  ElementState state_;
-  Vec3<double> stretch_{1, 1, 1};
-  double shear_ = 0, internal_ = 0, viscous_ = 0, time_step_ = 0;
-  int eroded_ = 0;
-};
 
 ElementConstants<double> with_equation_of_state() {
   ElementConstants<double> c = element_constants();
@@ -340,84 +283,6 @@ TEST(OrthotropicElements, KeepAsEnergyWhatTheyTake) {
   EXPECT_NEAR(found.yy, l.y * l.y * s.yy / j, 1e-10);
   EXPECT_NEAR(found.zz, l.z * l.z * s.zz / j, 1e-10);
   EXPECT_NEAR(cube.internal(), 0.5 * contract(s, e), 1e-4 * contract(s, e));
-}
-
-TEST(JohnsonCookOfElements, IsHeatedByPlasticWorkAndSoftens) {
-  ElementConstants<double> c = element_constants();
-  c.specific_volume = 1.0 / 3;
-  c.material.yield_stress = 0.8;
-  JohnsonCookConstants<double>& law = c.johnson_cook;
-  law.used = true;
-  law.hardening = 0.6, law.exponent = 0.4, law.rate_sensitivity = 0.05, law.inverse_rate = 1 / 0.01;
-  law.inverse_melting = 1.0 / 1000, law.softening_exponent = 1.2, law.heating = 900;  // chi/c_p
-  law.measure = StrainRateMeasure::plastic;
-  c.places.damage = c.places.hardening = -1;
-  const double rate = 2, dt = 1e-4;
-  StrainedCube cube(c);
-  for (int i = 0; i < 5000; ++i) cube.strain({0, 0, 0}, rate, dt);
-  // Adiabatic shear with rigid-plastic strain e: rho c_p dT = Y de, integrated finely; elastic strain is Y/(3 mu).
-  const double factor = 1 + 0.05 * std::log(rate / std::sqrt(3.0) / 0.01);
-  double strain = 0, heat = 0;
-  const double end = rate * 5000 * dt / std::sqrt(3.0);
-  const int steps = 200000;
-  const auto yield = [&](double e, double temperature) {
-    return (0.8 + 0.6 * std::pow(e, 0.4)) * factor * (1 - std::pow(temperature / 1000, 1.2));
-  };
-  double elastic = 0;
-  for (int i = 0; i < steps; ++i) {
-    const double middle = (i + 0.5) * end / steps;
-    if (middle - yield(strain, heat) / (3 * 80) < strain) continue;  // still elastic
-    const double next = middle - yield(strain, heat) / (3 * 80);
-    heat += 900.0 / 3 * yield(0.5 * (strain + next), heat) * (next - strain);
-    strain = next;
-    elastic = yield(strain, heat);
-  }
-  const double found = std::sqrt(3.0) * std::hypot(cube.state().stress.xy, 0.5 * cube.state().stress.xx);
-  EXPECT_NEAR(cube.state().plastic_strain, strain, 1e-3 * strain);
-  EXPECT_NEAR(cube.state().temperature(), heat, 3e-3 * heat);
-  EXPECT_GT(heat, 100);
-  EXPECT_NEAR(found, elastic, 5e-3 * elastic);
-}
-
-/// Without heat and rates, in pure shear: D = e/e_f, and e_h = e - w e^2/(2 e_f).
-TEST(JohnsonCookOfElements, IsWeakenedByDamage) {
-  ElementConstants<double> c = element_constants();
-  c.specific_volume = 1.0 / 3;
-  c.material.yield_stress = 0.8;
-  JohnsonCookConstants<double>& law = c.johnson_cook;
-  law.used = true;
-  law.hardening = 0.6, law.exponent = 0.4;
-  law.failure[0] = 0.2, law.failure[1] = 0.4, law.weakening = 0.3;  // e_f = 0.6
-  StrainedCube cube(c);
-  for (int i = 0; i < 5000; ++i) cube.strain({0, 0, 0}, 2, 1e-4);
-  ASSERT_EQ(cube.eroded(), 0);
-  const double e = cube.state().plastic_strain, r = e - 0.3 * e * e / (2 * 0.6);
-  EXPECT_GT(e, 0.5);
-  EXPECT_NEAR(cube.state().damage(), e / 0.6, 1e-3);
-  EXPECT_NEAR(cube.state().material[material_places.hardening], r, 2e-4 * r);
-  const double found = std::sqrt(3.0) * std::hypot(cube.state().stress.xy, 0.5 * cube.state().stress.xx);
-  const double strength = (1 - 0.3 * e / 0.6) * (0.8 + 0.6 * std::pow(r, 0.4));
-  EXPECT_NEAR(found, strength, 2e-4 * strength);
-}
-
-TEST(JohnsonCookOfElements, FailsWhenItsDamageIsOne) {
-  ElementConstants<double> c = element_constants();
-  c.specific_volume = 1.0 / 3;
-  c.material.yield_stress = 0.8;
-  c.johnson_cook.used = true;
-  c.johnson_cook.failure[0] = 0.02, c.johnson_cook.failure[1] = 0.1;  // 0.12 in pure shear
-  c.johnson_cook.failure[2] = -1.5;
-  StrainedCube cube(c);
-  double before = 0;
-  int steps = 0;
-  while (cube.eroded() == 0 && steps < 10000) {
-    before = cube.state().plastic_strain;
-    cube.strain({0, 0, 0}, 1, 1e-4);
-    ++steps;
-  }
-  EXPECT_NEAR(before, 0.12, 1e-3);
-  EXPECT_GE(cube.state().damage(), 1);
-  EXPECT_EQ(cube.state().mass, 0);
 }
 
 }  // namespace

@@ -350,55 +350,5 @@ TEST(EmbeddedSpheres, ArePushedByTheFaceThatIsNearestAtASharpEdge) {
   }
 }
 
-/// A sphere at a node of an element, as a body of its own or as part of it: whatever the shape of the element becomes,
-/// they do not touch.
-TEST(EmbeddedSpheres, DoNotTouchTheElementThatTheyAreANodeOf) {
-  const std::vector<Vector> cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-  const std::vector<std::int32_t> corners{0, 1, 2, 3, 4, 5, 6, 7};
-  const std::vector<double> mass(8, 1.0);
-  const double bulk_modulus = 1e4;
-  const std::int32_t node = 0;
-  for (const std::int32_t enforcement :
-       {PINBALL_CONTACT_PENALTY, PINBALL_CONTACT_PROJECTION, PINBALL_CONTACT_LAGRANGE}) {
-    for (const std::int32_t gap : {PINBALL_CONTACT_GAP_PINBALL, PINBALL_CONTACT_GAP_FACE}) {
-      for (const std::int32_t body : {0, 3}) {
-        for (const double radius : {0.3, 0.9, 1.5}) {
-          std::vector<Vector> position = cube, velocity(8), force(8, Vector{0, 0, 0});
-          for (std::size_t n = 0; n < 8; ++n) velocity[n] = {-cube[n][0], -cube[n][1], -cube[n][2]};
-          pinball_contact_options options = contact_options();
-          options.enforcement = enforcement;
-          options.gap = gap;
-          pinball_contact_mesh mesh = contact_mesh();
-          mesh.node_count = 8;
-          mesh.mass = mass.data();
-          mesh.element_count = 1;
-          mesh.corners = corners.data();
-          mesh.bulk_modulus = &bulk_modulus;
-          mesh.sphere_count = 1;
-          mesh.sphere_node = &node;
-          mesh.sphere_body = &body;
-          mesh.sphere_radius = &radius;
-          mesh.sphere_bulk_modulus = &bulk_modulus;
-          EmbeddedContact contact(options, mesh, interleaved(position[0].data()));
-          pinball_contact_arrays arrays = contact_arrays();
-          arrays.position = interleaved(position[0].data());
-          arrays.velocity = interleaved(velocity[0].data());
-          arrays.force = interleaved_sums(force[0].data());
-          for (int step = 0; step < 20; ++step) {
-            contact.update(arrays, step == 0 ? 0 : 0.02);
-            contact.add_forces(arrays, 0.02);
-            for (std::size_t n = 0; n < 8; ++n)
-              position[n] = sum(position[n], {0.02 * velocity[n][0], 0.02 * velocity[n][1], 0.02 * velocity[n][2]});
-          }
-          for (const Vector& f : force) {
-            EXPECT_EQ(f, (Vector{0, 0, 0})) << enforcement << ", gap " << gap << ", body " << body << ", " << radius;
-          }
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace pinball::embedded_spheres_test
