@@ -209,6 +209,10 @@ TEST_F(SceneBoundaryTest, WhatDoesNotGoTogetherIsNamed) {
             "17:10: pressure.0.faces[0]: expected an array of 4 integers, got an array of 3 values");
   EXPECT_EQ(error(with({"[[gravity]]", "acceleration = [0, 0, 1]", "bodies = [\"baar\"]"})),
             "17:11: gravity.0.bodies[0]: expected \"bar\", got \"baar\"");
+  EXPECT_EQ(error(with({"[[gravity]]", "acceleration = [0, 0, 1]", "bodies = []"})),
+            "17:10: gravity.0.bodies: expected at least one of \"bar\", got none");
+  EXPECT_EQ(error(with({"[[initial_velocity]]", "body = \"bar\"", "velocity = [0, 0, 1]", "components = []"})),
+            "18:14: initial_velocity.0.components: expected at least one of \"x\", \"y\" or \"z\", got none");
 }
 
 TEST_F(SceneBoundaryTest, MissingAndWrongValues) {

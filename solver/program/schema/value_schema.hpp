@@ -84,7 +84,10 @@ inline SchemaJson value_schema(schema::Of<std::vector<std::array<std::int64_t, 4
   return array_schema(array_schema(number_schema(key.about.bound, true), 4));
 }
 inline SchemaJson value_schema(schema::Of<std::vector<std::string>>, const schema::AnyKey& key) {
-  return array_schema(key.about.texts.empty() ? SchemaJson{{"type", "string"}} : texts_schema(key.about.texts));
+  SchemaJson list =
+      array_schema(key.about.texts.empty() ? SchemaJson{{"type", "string"}} : texts_schema(key.about.texts));
+  list["minItems"] = 1;
+  return list;
 }
 template <class Number>
 SchemaJson value_schema(schema::Of<schema::ListsOf<Number>>, const schema::AnyKey& key) {

@@ -261,6 +261,8 @@ std::vector<std::string> SceneTable::texts(std::string_view key, const std::vect
     }
     values.push_back(*value);
   }
+  // None at all is not none of them: where the key is left out, all are meant.
+  if (values.empty()) fail(key, fmt::format("expected at least one of {}, got none", alternatives(allowed)));
   return values;
 }
 
