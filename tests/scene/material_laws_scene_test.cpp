@@ -131,6 +131,7 @@ TEST_F(MaterialLawsScene, ReadsFluids) {
   EXPECT_THAT(error(fluid(water + copper + "\nshear_modulus = 1e6")), HasSubstr("shear_modulus: "));
   EXPECT_THAT(error(fluid("fluid = { viscosity = -1 }\n" + std::string(copper))), HasSubstr("fluid.viscosity"));
   EXPECT_THAT(error(with(10, water + "yield_stress = 4e8")), HasSubstr("fluid"));
+  EXPECT_THAT(error(with(10, water)), HasSubstr("equation_of_state: missing, expected the pressure of the fluid"));
 }
 
 TEST_F(MaterialLawsScene, ReadsRubber) {

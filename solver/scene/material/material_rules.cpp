@@ -100,8 +100,7 @@ std::optional<Problem> problem_of_drucker_prager(const Material& m) {
 /// What stands beside a fluid that only solids have, and what it needs.
 std::optional<Problem> problem_of_fluid(const Material& m) {
   const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
-  const char* const other = m.shear_modulus > 0     ? "shear_modulus"
-                            : m.yield_stress > 0    ? "yield_stress"
+  const char* const other = m.yield_stress > 0      ? "yield_stress"
                             : m.plastic_modulus > 0 ? "plastic_modulus"
                             : ends                  ? "ultimate_stress"
                             : m.erosion_strain > 0  ? "erosion_strain"
@@ -109,9 +108,12 @@ std::optional<Problem> problem_of_fluid(const Material& m) {
                             : m.power_hardening     ? "power_hardening"
                             : m.rate_constant > 0   ? "rate_constant"
                             : m.johnson_cook        ? "johnson_cook"
+                            : m.johnson_holmquist   ? "johnson_holmquist"
+                            : m.drucker_prager      ? "drucker_prager"
                                                     : nullptr;
   if (other != nullptr) return Problem{other, "expected none beside fluid, which has no strength"};
   if (!m.equation_of_state) return Problem{"equation_of_state", "missing, expected the pressure of the fluid"};
+  if (m.shear_modulus > 0) return Problem{"shear_modulus", "expected none beside fluid, which has no strength"};
   return {};
 }
 
