@@ -228,8 +228,20 @@ TEST_F(DeckCards, ThatTheLastInitialVelocityCountsIsTold) {
   const std::string generated = "*INITIAL_VELOCITY_GENERATION\n1,2,0.,1.\n\n",
                     of_node = "*INITIAL_VELOCITY_NODE\n1,2.\n";
   const auto is_told = Contains(HasSubstr("the last one in the deck counts"));
-  EXPECT_THAT(told(generated + of_node), is_told);
+  EXPECT_THAT(told(generated + "*INITIAL_VELOCITY\n\n0.,0.,2.\n"), is_told);
   EXPECT_THAT(told(of_node + of_node), Not(is_told));
+}
+
+TEST_F(DeckCards, VelocitiesOfNodesCountBeforeThoseOfSets) {
+  const std::string of_all = "*INITIAL_VELOCITY\n\n0.,0.,2.\n", of_node = "*INITIAL_VELOCITY_NODE\n3,0.,7.,0.\n";
+  for (const std::string& both : {of_all + of_node, of_node + of_all}) {
+    const auto model = build_model<double>(scene(cube + elastic + ends + both));
+    for (std::size_t n = 0; n < 8; ++n) {
+      const double* v = model.nodes.velocity_of(model.node_of_scene_node[n]);
+      const Point expected = n == 2 ? Point{0, 7, 0} : Point{0, 0, 2};
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(v[k], expected[k]) << both;
+    }
+  }
 }
 
 TEST_F(DeckCards, TheWidthOfColumnsMayStandBehindABlank) {

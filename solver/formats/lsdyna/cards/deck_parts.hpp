@@ -59,6 +59,8 @@ void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& blo
 void translate_velocity_generation(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 /// Where there are several kinds of initial velocities.
 void tell_order_of_velocities(DeckData& data);
+/// Of *INITIAL_VELOCITY_NODE, which counts before all but *INITIAL_VELOCITY_RIGID_BODY.
+bool gives_velocity_of_nodes(const KeywordBlock& block);
 void translate_rigid_walls(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 void translate_node_load(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 /// *LOAD_SEGMENT: faces of the same load together; and of a set.

@@ -32,10 +32,12 @@ void take_irigid(DeckData& data, const KeywordBlock& block, const Fields& f) {
 
 }  // namespace
 
+bool gives_velocity_of_nodes(const KeywordBlock& block) { return block.name == "INITIAL_VELOCITY_NODE"; }
+
 void tell_order_of_velocities(DeckData& data) {
   std::vector<std::string> names;
   for (const KeywordBlock& block : data.deck.blocks) {
-    if (block.name == "INITIAL_VELOCITY_RIGID_BODY") continue;  // it counts before all others
+    if (block.name == "INITIAL_VELOCITY_RIGID_BODY" || gives_velocity_of_nodes(block)) continue;  // they count before
     if (block.name.starts_with("INITIAL_VELOCITY") && std::ranges::find(names, block.star_name()) == names.end())
       names.push_back(block.star_name());
   }

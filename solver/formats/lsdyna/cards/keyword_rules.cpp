@@ -82,7 +82,8 @@ const std::vector<KeywordRule>& keyword_rules() {
        translate_prescribed_motion},
       {"INITIAL_VELOCITY", done, "of a set, of all nodes, in a box; NSIDEX; in a local system; rotations mean nothing",
        !in_other_units, translate_initial_velocity},
-      {"INITIAL_VELOCITY_NODE", done, "", !in_other_units, translate_initial_velocity_of_nodes},
+      {"INITIAL_VELOCITY_NODE", done, "counts before those of sets and parts, wherever it stands", !in_other_units,
+       translate_initial_velocity_of_nodes},
       {"INITIAL_VELOCITY_SET", done, "as INITIAL_VELOCITY", !in_other_units, translate_initial_velocity},
       {"INITIAL_VELOCITY_GENERATION", done,
        "of parts, sets of parts and of nodes; a spin, also about the axis from node NY to node NZ; IVATN; PHASE is "

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -93,9 +94,14 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   translate_single_point_constraints(data, boundary);
   const std::set<std::int64_t> materials = translate_materials(data, scene);
   translate_rigid_bodies(data, bodies);
-  for (const KeywordBlock& block : deck.blocks) {
-    const KeywordRule* rule = rule_of(keyword_alias(block.name));
-    if (rule != nullptr && rule->translate != nullptr) rule->translate(data, block, boundary);
+  std::vector<const KeywordBlock*> in_order;
+  for (const KeywordBlock& block : deck.blocks) in_order.push_back(&block);
+  // Velocities of single nodes count before those of sets and bodies, wherever they stand.
+  std::stable_partition(in_order.begin(), in_order.end(),
+                        [](const KeywordBlock* block) { return !gives_velocity_of_nodes(*block); });
+  for (const KeywordBlock* block : in_order) {
+    const KeywordRule* rule = rule_of(keyword_alias(block->name));
+    if (rule != nullptr && rule->translate != nullptr) rule->translate(data, *block, boundary);
   }
   tell_order_of_velocities(data);
   tell_reversed(data.mesh.mesh, data.pressed, report);
