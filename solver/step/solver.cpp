@@ -86,6 +86,9 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
   clock_.expect_impacts(smallest.rate_of_closing);
   many_steps_ = find_many_steps(model_.scene, model_.mesh, smallest);
   near_nodes_ = find_near_nodes(model_.scene, model_.mesh);
+  if (std::string eroded = find_eroded_at_start(model_.scene, model_.mesh); !eroded.empty()) {
+    model_.look.unlikely.push_back(std::move(eroded));
+  }
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
   guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
   initial_momentum_ = momentum();

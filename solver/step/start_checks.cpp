@@ -7,6 +7,7 @@
 #include <limits>
 
 #include <kernels/exec.hpp>
+#include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
 #include <solver/model/elements/element_start.hpp>
 #include <solver/model/elements/mass_scaling.hpp>
@@ -29,6 +30,7 @@ class StartElements {
         mass_factor_(mass_factors(scene, mesh, parts_)) {}
 
   const ElementSettings& settings(std::int64_t e) const { return part(e).settings; }
+  std::size_t material(std::int64_t e) const { return part(e).material; }
   bool deforms(std::int64_t e) const { return !part(e).rigid; }
   bool has_hourglass_modes(std::int64_t e) const { return deforms(e) && part(e).shape != WorkedShape::tetrahedron; }
   bool any_deforms() const {
@@ -168,6 +170,42 @@ std::string find_many_steps(const Scene& scene, const ModelMesh& mesh, const Sma
       "time.end = {:.6g} takes {:.3g} steps of {:.3g} or more, set by {}, which is {:.3g} x {:.3g} x {:.3g}: look at "
       "time.end and at units, or give such elements mass with time.smallest_step",
       scene.time.end, steps, step, element_name(mesh, smallest.element), extent[0], extent[1], extent[2]);
+}
+
+std::string find_eroded_at_start(const Scene& scene, const ModelMesh& mesh) {
+  const auto limit_of = [&scene](std::size_t m) {
+    const auto& erosion = scene.materials[m].erosion;
+    return erosion ? erosion->smallest_step : 0.0;
+  };
+  struct Taken {
+    std::int64_t elements = 0, all = 0;
+    double longest = 0;  ///< stable step of those taken [time]
+  };
+  std::vector<Taken> of_material(scene.materials.size());
+  bool any = false;
+  for (std::size_t m = 0; m < of_material.size(); ++m) any = any || limit_of(m) > 0;
+  if (!any) return "";
+  const StartElements elements(scene, mesh);
+  for (std::int64_t e = 0; e < mesh.element_count(); ++e) {
+    const std::size_t m = elements.material(e);
+    if (!(limit_of(m) > 0) || !elements.deforms(e)) continue;
+    Taken& taken = of_material[m];
+    ++taken.all;
+    const double step = elements.stable_step(e);
+    if (!(step < limit_of(m))) continue;
+    ++taken.elements;
+    taken.longest = std::max(taken.longest, step);
+  }
+  std::size_t worst = 0;
+  for (std::size_t m = 0; m < of_material.size(); ++m) {
+    if (of_material[m].elements > of_material[worst].elements) worst = m;
+  }
+  const Taken& most = of_material[worst];
+  if (most.elements == 0) return "";
+  return fmt::format(
+      "material.{}.erosion.smallest_step = {:.4g} is above the stable step of {} at the start, up to {:.4g}: the "
+      "first step erodes them",
+      scene.materials[worst].name, limit_of(worst), counted_of(most.elements, most.all, "element"), most.longest);
 }
 
 std::string find_unstable_hourglass(const Scene& scene, const ModelMesh& mesh) {

@@ -27,6 +27,10 @@ SmallestStep check_against_steps(const Scene& scene, const ModelMesh& mesh, doub
 /// A sentence on a run of a million steps or more; else empty.
 std::string find_many_steps(const Scene& scene, const ModelMesh& mesh, const SmallestStep& smallest);
 
+/// A sentence on the material of which erosion.smallest_step takes most elements in the first step already, since their
+/// stable steps are below it; empty where there is none.
+std::string find_eroded_at_start(const Scene& scene, const ModelMesh& mesh);
+
 /// A sentence on the hourglass_coefficient that is furthest beyond what the steps allow, of [element] or of a body;
 /// empty where none is.
 ///

@@ -13,6 +13,7 @@ namespace {
 
 using namespace test;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -175,6 +176,17 @@ TEST(StartChecks, OtherFormsAreSureUpToOne) {
     EXPECT_THAT(told(form, 10), HasSubstr("= 10 is beyond 1.23"));
   }
   EXPECT_THAT(told(HourglassControl::none, 10), IsEmpty());
+}
+
+TEST(StartChecks, ALimitThatErodesWhatIsSoundIsTold) {
+  Scene scene = flying_cube();
+  const auto told = [&scene](double share) {
+    scene.materials[0].erosion = ErosionSettings{.smallest_step = share * stable_step()};
+    return Solver<double>(scene).look().unlikely;
+  };
+  EXPECT_THAT(told(0.5), IsEmpty());
+  EXPECT_THAT(told(2), ElementsAre(AllOf(HasSubstr("erosion.smallest_step"), HasSubstr("1 of 1 element at the start"),
+                                         HasSubstr("the first step erodes them"))));
 }
 
 TEST(StartChecks, AMillionStepsAreTold) {
