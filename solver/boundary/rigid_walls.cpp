@@ -80,6 +80,7 @@ void RigidWalls<S>::apply(const NodeArrays<S>& nodes, double time, const StepLen
     if (!wall.when.contains(time)) {
       wall.nodes->clear_reactions();
       result.force = 0;
+      if (!wall.motion.is_pushed()) result.velocity = 0;  // as its displacement, which stays
       result.row_displacement = result.displacement;
       continue;
     }

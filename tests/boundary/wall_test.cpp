@@ -120,6 +120,7 @@ TEST(MovingWall, IsInTheRowsOfTheHistoryWhereItIsAtTheirTimes) {
     const HistoryRow row = history_row(solver);
     EXPECT_NEAR(history_numbers(row)[column], row.time < 2e-4 ? 3 * row.time : wall_of(solver).displacement, 1e-15);
   }
+  EXPECT_EQ(wall_of(solver).velocity, 0) << "it has ended";
 }
 
 TEST(MovingWall, PassesAStandingOneOnlyIfNothingHoldsIt) {
