@@ -213,7 +213,7 @@ TEST(PointMass, IsInTheMassAndTheCentreOfARigidBody) {
   rigid.bodies = {"cube"};
   scene.rigid_bodies = {rigid};
   const Solver<double> solver(scene);
-  const RigidBodyResult& found = solver.rigid().results().at(0);
+  const RigidBodyResult found = solver.rigid().results().at(0);
   EXPECT_NEAR(found.mass, cube_mass + 30, 1e-12);
   EXPECT_NEAR(found.centre[0], (0.1 * cube_mass + 0.2 * 30) / (cube_mass + 30), 1e-14);
   for (const auto& give : {+[](RigidBody& r) { r.mass = 100; },

@@ -74,7 +74,7 @@ TEST_F(DeckMasses, AreScaledAndNumberedAsTheirFile) {
 TEST_F(DeckMasses, AreInThatOfARigidPart) {
   const std::string rigid = cube + "*MAT_RIGID\n1,7.85E-9,210000.,0.3\n\n\n" + ends + card_ + "3,7,4.E-9\n";
   const Solver<double> solver(scene(rigid));
-  const RigidBodyResult& body = solver.rigid().results().at(0);
+  const RigidBodyResult body = solver.rigid().results().at(0);
   EXPECT_NEAR(body.mass, 11.85e-9, 1e-20);
   EXPECT_NEAR(body.centre[2], (0.5 * 7.85 + 4) / 11.85, 1e-12);
   std::string given = rigid;
