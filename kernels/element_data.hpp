@@ -5,6 +5,7 @@
 #include "assumed_strain.hpp"
 #include "hourglass.hpp"
 #include "material/bulk_viscosity.hpp"
+#include "material/crushable_foam.hpp"
 #include "material/drucker_prager.hpp"
 #include "material/equation_of_state.hpp"
 #include "material/failure.hpp"
@@ -92,6 +93,7 @@ struct ElementConstants {
   JohnsonCookConstants<S> johnson_cook{};  ///< in the place of `hardening`, where used
   JohnsonHolmquistConstants<S> brittle{};  ///< in the place of `hardening` and of the linear pressure, where used
   DruckerPragerConstants<S> granular{};    ///< in the place of `hardening`, where used
+  CrushableFoamConstants<S> foam{};        ///< where used `hardening` has its curve over the compaction
   MooneyRivlinConstants<S> rubber{};       ///< of what never yields, in the place of Hooke's law, where used
   OrthotropicConstants<S> orthotropic{};   ///< the same
   FluidConstants<S> fluid{};               ///< in the place of all strength, where used

@@ -54,6 +54,7 @@ void bind_parts(py::module_& module) {
   bind_table<JohnsonCookSettings>(module, "JohnsonCook", "Strength and failure after Johnson and Cook.");
   bind_table<JohnsonHolmquistSettings>(module, "JohnsonHolmquist", "Brittle material after Johnson and Holmquist.");
   bind_table<DruckerPragerSettings>(module, "DruckerPrager", "Strength that grows with the pressure.");
+  bind_table<CrushableFoamSettings>(module, "CrushableFoam", "Foam whose principal stresses yield each by itself.");
   bind_table<MooneyRivlinSettings>(module, "MooneyRivlin", "Rubber after Mooney and Rivlin.");
   bind_table<OrthotropicSettings>(module, "Orthotropic", "Elastic moduli that differ with the direction.");
   bind_table<FluidSettings>(module, "Fluid", "No strength, and the viscosity of Newton.");

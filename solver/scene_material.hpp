@@ -84,6 +84,20 @@ struct DruckerPragerSettings {
   bool operator==(const DruckerPragerSettings&) const = default;
 };
 
+/// crushable_foam of a material: each principal stress yields by itself, at a stress of the compaction 1 - V/V_0
+/// (kernels/material/crushable_foam.hpp).
+struct CrushableFoamSettings {
+  std::vector<double> compaction;    ///< compaction: of the points of the curve, ascending [-]
+  std::vector<double> yield_stress;  ///< yield_stress: at them [stress]
+  /// tension_cutoff: of a principal stress; default: infinite, which is the yield stress, as in compression [stress]
+  double tension_cutoff = std::numeric_limits<double>::infinity();
+  double damping = 0.0;       ///< damping: zeta, of all rates [-]
+  double air_pressure = 0.0;  ///< air_pressure: P_0, of the air in closed cells at rest; 0: none [stress]
+  double solid_share = 0.0;   ///< solid_share: phi, part of the volume at rest that is not air [-]
+
+  bool operator==(const CrushableFoamSettings&) const = default;
+};
+
 /// mooney_rivlin of a material: an energy of A (I - 3) + B (II - 3) and of the volume
 /// (kernels/material/mooney_rivlin.hpp).
 struct MooneyRivlinSettings {
@@ -135,6 +149,9 @@ struct EquationOfStateSettings {
   std::vector<double> unloading_modulus;
   /// full_compaction: beyond which it goes back as it came: minus a volume_strain, or mu; default: infinite [-]
   double full_compaction = std::numeric_limits<double>::infinity();
+  /// elastic_compaction: up to which it goes back as it came; negative: also in tension K is that of unloading [-]
+  double elastic_compaction = -1.0;
+  bool tears = false;  ///< tears: what has come to tension_limit once bears no tension any more
 
   bool operator==(const EquationOfStateSettings&) const = default;
 };
@@ -179,6 +196,7 @@ struct Material {
   std::optional<JohnsonCookSettings> johnson_cook;            ///< in the place of hardening and rate laws above
   std::optional<JohnsonHolmquistSettings> johnson_holmquist;  ///< in the place of yield_stress, hardening and rates
   std::optional<DruckerPragerSettings> drucker_prager;        ///< the same
+  std::optional<CrushableFoamSettings> crushable_foam;        ///< the same
   std::optional<MooneyRivlinSettings> mooney_rivlin;          ///< of an elastic one, in the place of its moduli
   std::optional<OrthotropicSettings> orthotropic;             ///< the same
   std::optional<FluidSettings> fluid;                         ///< in the place of all strength
@@ -188,7 +206,8 @@ struct Material {
 
 /// Whether its strength begins at a yield_stress.
 inline bool has_yield_stress(const Material& material) {
-  return material.plastic && !material.fluid && !material.johnson_holmquist && !material.drucker_prager;
+  return material.plastic && !material.fluid && !material.johnson_holmquist && !material.drucker_prager &&
+         !material.crushable_foam;
 }
 
 }  // namespace pinball

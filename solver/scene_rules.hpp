@@ -43,6 +43,7 @@ std::optional<Problem> problem_of(const JohnsonCookSettings& law);
 /// bulk_modulus: of the material.
 std::optional<Problem> problem_of(const JohnsonHolmquistSettings& law, double bulk_modulus);
 std::optional<Problem> problem_of(const DruckerPragerSettings& law);
+std::optional<Problem> problem_of(const CrushableFoamSettings& law);
 std::optional<Problem> problem_of(const OrthotropicSettings& law);
 std::optional<Problem> problem_of(const EquationOfStateSettings& eos);
 std::optional<Problem> problem_of(const ErosionSettings& erosion);

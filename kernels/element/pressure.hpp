@@ -45,8 +45,10 @@ PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const E
     const T strain = table_strain(eos, step.compression).value;
     numbers.set(places.compaction, select(there, most_after(eos, strain, step.most), step.most));
   }
+  if (eos.tears) step.torn = numbers.get(places.torn);
   const PressureState<T> now = pressure_after(eos, step, numbers.get(places.energy));
   numbers.set(places.energy, select(there, now.energy, T(0)));
+  if (eos.tears) numbers.set(places.torn, select(there, now.torn, step.torn));
   const T difference = -now.value - third * trace(stress);
   stress.xx += difference;
   stress.yy += difference;
@@ -54,8 +56,23 @@ PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const E
   return now.bulk_modulus;
 }
 
+/// Stable rate of a foam.
+template <class T>
+PINBALL_FUNCTION T rate_of_foam(const ElementConstants<ScalarOf<T>>& constants, const StabilityBound<T>& bound,
+                                const T& compaction) {
+  using S = ScalarOf<T>;
+  const MaterialConstants<S>& material = constants.material;
+  const S elastic = material.lambda + S(2.0 / 3.0) * material.mu;
+  const T bulk_modulus = foam_bulk_modulus(constants.foam, constants.hardening, elastic, compaction);
+  StabilityBound<T> damped = bound;
+  if (constants.foam.damping > 0) {
+    damped.viscosity += damping_viscosity(constants.foam, material, T(bound.end.volume / bound.end.area));
+  }
+  return damped.rate(bulk_modulus - T(S(2.0 / 3.0) * material.mu), T(material.mu));
+}
+
 /// Both, after yield; the stable rate is that of a linear material of that rho c^2. A brittle material has its pressure
-/// from its strength, and rho c^2 = (1 + mu) dp/dmu.
+/// from its strength, and rho c^2 = (1 + mu) dp/dmu; a foam has no pressure of its own.
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION void follow_equation_of_state(const ElementConstants<ScalarOf<T>>& constants,
                                                const ElementPack<T, L>& own, const ElementNumbers<T, L>& numbers,
@@ -82,6 +99,9 @@ PINBALL_FUNCTION void follow_equation_of_state(const ElementConstants<ScalarOf<T
       const T slope = brittle_pressure(constants.brittle, T(density - T(1))).slope;
       stable_rate = bound.rate(maximum(T(0), density * slope) - T(S(2.0 / 3.0) * constants.material.mu),
                                T(constants.material.mu));
+    } else if (constants.foam.used) {
+      const T density = own.mass * middle.inverse_end_volume;
+      stable_rate = rate_of_foam(constants, bound, compaction_of(constants, density));
     }
   }
 }

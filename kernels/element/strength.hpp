@@ -165,8 +165,8 @@ PINBALL_FUNCTION MaskOf<T> yield(const ElementConstants<ScalarOf<T>>& constants,
   if constexpr (features.yield == YieldLaw::general) {
     const Symmetric<T> deformation = symmetric_part(law.motion.gradient);
     const T density = own.mass * law.middle.inverse_end_volume;
-    const YieldOutcome<T> outcome = yield_generally(constants, {deformation, law.motion.rotation, dt, density}, numbers,
-                                                    hourglass.kept, stress, plastic_strain);
+    const ElementMotion<T> motion{deformation, law.motion.rotation, dt, density, law.shape};
+    const YieldOutcome<T> outcome = yield_generally(constants, motion, numbers, hourglass.kept, stress, plastic_strain);
     hourglass.lost = outcome.lost;
     hourglass.any_lost = outcome.any_lost;
     return outcome.failed;

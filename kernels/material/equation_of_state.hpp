@@ -35,7 +35,10 @@
 ///     A is that of the curve where x >= m ,   else  min(A(x), A(m) - K(m) (m - x)) ,
 ///
 /// with the bulk modulus K of unloading, a number or straight between the points of a table, which is also that of
-/// tension. In rho c^2 the larger of A' and K dx/dmu takes the place of A': the next step may unload.
+/// tension; as long as m is no larger than x_elastic, A is that of the curve. In rho c^2 the larger of A' and K dx/dmu
+/// takes the place of A': the next step may unload.
+///
+/// What tears bears no tension after it has come to its limit once.
 ///
 /// At rest p = 0.
 namespace pinball {
@@ -58,9 +61,11 @@ struct EquationOfState {
   S thermal[most_table_pieces] = {}, thermal_rise[most_table_pieces] = {};  ///< B there, dB/dx [-]
   bool crushes = false;
   S unloading[most_table_pieces] = {}, unloading_rise[most_table_pieces] = {};  ///< K there, dK/dx [stress]
-  S last = S(INFINITY);    ///< x behind which K does not change [-]
-  S full = S(INFINITY);    ///< x_full [-]
-  S tension_limit = S(0);  ///< the pressure is never below minus this; infinity: no such limit [stress]
+  S last = S(INFINITY);      ///< x behind which K does not change [-]
+  S full = S(INFINITY);      ///< x_full [-]
+  S elastic = S(-INFINITY);  ///< x_elastic [-]
+  S tension_limit = S(0);    ///< the pressure is never below minus this; infinity: no such limit [stress]
+  bool tears = false;        ///< the limit is 0 for what has come to it
 };
 
 /// A and B of a pressure that is linear in the energy, and their slopes over mu.
@@ -174,18 +179,24 @@ PINBALL_FUNCTION PressureParts<T> parts_of_crushed(const EquationOfState<ScalarO
   const T top =
       eos.law == PressureLaw::polynomial ? polynomial_pressure(eos, reached).cold : table_at(eos, reached).cold;
   const T line = top - modulus * (reached - x.value);
-  at.cold = select(x.value < most, minimum(line, at.cold), at.cold);
+  at.cold = select(x.value < most && most > T(eos.elastic), minimum(line, at.cold), at.cold);
   at.cold_slope = maximum(at.cold_slope, modulus * x.slope);
   return at;
+}
+
+/// Where tension ends. torn: 1 of what has come to the limit before, and tears.
+template <class T>
+PINBALL_FUNCTION T least_pressure(const EquationOfState<ScalarOf<T>>& eos, const T& torn) {
+  return eos.tears ? select(torn > T(0), T(0), T(-eos.tension_limit)) : T(-eos.tension_limit);
 }
 
 /// The pressure at a compression with the energy that a step begins with: of strength that depends on it, before the
 /// work of the step is known [stress].
 template <class T>
 PINBALL_FUNCTION T pressure_of_energy(const EquationOfState<ScalarOf<T>>& eos, const T& mu, const T& most,
-                                      const T& energy) {
+                                      const T& torn, const T& energy) {
   const PressureParts<T> at = parts_of_crushed(eos, mu, most);
-  return maximum(at.cold + at.thermal * energy, T(-eos.tension_limit));
+  return maximum(at.cold + at.thermal * energy, least_pressure(eos, torn));
 }
 
 /// What a step does to the pressure.
@@ -196,11 +207,13 @@ struct PressureStep {
   T work;          ///< w: of deviator and bulk viscosity, per volume of the undeformed material [stress]
   T pressure_old;  ///< [stress]
   T most{0};       ///< m at its beginning, of what crushes [-]
+  T torn{0};       ///< 1: of least_pressure [-]
 };
 
 template <class T>
 struct PressureState {
   T value, energy, bulk_modulus;  ///< p, e, rho c^2 [stress]
+  T torn;                         ///< as of the step, at its end [-]
 };
 
 /// energy_old: e at its beginning [stress].
@@ -212,10 +225,11 @@ PINBALL_FUNCTION PressureState<T> pressure_after(const EquationOfState<ScalarOf<
   const T half = T(S(0.5)) * step.volumetric;
   const T before = energy_old + step.work - half * step.pressure_old;  // all but the work of p_new
   const T energy = (before - half * at.cold) / (T(1) + half * at.thermal);
-  const T pressure = maximum(at.cold + at.thermal * energy, T(-eos.tension_limit));
+  const T unlimited = at.cold + at.thermal * energy, least = least_pressure(eos, step.torn);
+  const T pressure = maximum(unlimited, least);
   const T density = T(1) + step.compression;  // over that at rest
   const T stiffness = density * (at.cold_slope + at.thermal_slope * energy) + at.thermal * pressure / density;
-  return {pressure, before - half * pressure, stiffness};
+  return {pressure, before - half * pressure, stiffness, select(unlimited <= least, T(1), step.torn)};
 }
 
 }  // namespace pinball

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../element/element_pack.hpp"
+#include "../element/step_geometry.hpp"
 #include "../element_data.hpp"
 #include "../rotation.hpp"
 #include "general_yield.hpp"
@@ -24,13 +25,21 @@ PINBALL_FUNCTION void set_back_stress(const Symmetric<T>& back, const ElementNum
   numbers.set(place + 4, back.zx);
 }
 
+/// 1 - V/V_0 at a density; 0 where there is no element.
+template <class T>
+PINBALL_FUNCTION T compaction_of(const ElementConstants<ScalarOf<T>>& constants, const T& density) {
+  const auto there = density > T(0);
+  return select(there, T(1) - T(1) / select(there, density * T(constants.specific_volume), T(1)), T(0));
+}
+
 /// How an element moves in a step.
 template <class T>
 struct ElementMotion {
   const Symmetric<T>& deformation;  ///< rate of it in the middle of the step [1/time]
   const Rotation<T>& rotation;
-  ScalarOf<T> dt;    ///< [time]
-  const T& density;  ///< [mass/length^3]
+  ScalarOf<T> dt;           ///< [time]
+  const T& density;         ///< [mass/length^3]
+  const EndSize<T>& shape;  ///< of the element itself
 };
 
 /// What a material makes of a trial stress.
@@ -116,11 +125,63 @@ PINBALL_FUNCTION void yield_under_pressure(const ElementConstants<ScalarOf<T>>& 
     const auto there = motion.density > T(0);
     const T compression = select(there, motion.density * T(constants.specific_volume) - T(1), T(0));
     const T most = eos.crushes ? numbers.get(places.compaction) : T(0);
-    pressure = pressure_of_energy(eos, compression, most, numbers.get(places.energy));
+    const T torn = eos.tears ? numbers.get(places.torn) : T(0);
+    pressure = pressure_of_energy(eos, compression, most, torn, numbers.get(places.energy));
   }
   DruckerPragerYield<T> strength(constants.material, constants.granular, pressure);
   Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
   outcome.any_lost = return_generally(strength, kept, stress, back, plastic_strain, outcome.lost);
+}
+
+/// What foams have beside the stress of their skeleton, at the end of a step.
+template <class T>
+PINBALL_FUNCTION Symmetric<T> stress_beside_skeleton(const ElementConstants<ScalarOf<T>>& constants,
+                                                     const ElementMotion<T>& motion, const T& compaction) {
+  using S = ScalarOf<T>;
+  const CrushableFoamConstants<S>& law = constants.foam;
+  Symmetric<T> beside{T(0), T(0), T(0), T(0), T(0), T(0)};
+  if (law.damping > 0) {
+    const T time = T(law.damping) * (motion.shape.volume / motion.shape.area);
+    const MaterialConstants<S>& material = constants.material;
+    beside = elastic_increment(T(time * T(material.lambda)), T(time * T(material.mu)), motion.deformation);
+  }
+  if (law.air_pressure > 0) {
+    const T pressure = air_pressure(law, compaction).value;
+    beside.xx -= pressure;
+    beside.yy -= pressure;
+    beside.zz -= pressure;
+  }
+  return beside;
+}
+
+/// Foams: each principal stress of the skeleton by itself, then what is beside it.
+template <HourglassKind kind, class T, int L>
+PINBALL_FUNCTION void crush(const ElementConstants<ScalarOf<T>>& constants, const ElementMotion<T>& motion,
+                            const ElementNumbers<T, L>& numbers, KeptHourglass<T, kind>& kept, Symmetric<T>& stress,
+                            T& plastic_strain, YieldOutcome<T>& outcome) {
+  const CrushableFoamConstants<ScalarOf<T>>& law = constants.foam;
+  const int place = constants.places.beside;
+  if (place >= 0) stress = stress - rotate(motion.rotation, symmetric_at(numbers, place));
+  const T compaction = compaction_of(constants, motion.density);
+  const T yield = foam_strength(constants.hardening, compaction).stress;
+  const T most = law.cutoff < ScalarOf<T>(INFINITY) ? T(law.cutoff) : yield;
+  const Symmetric<T> taken = limit_principal_values(T(T(-1) * yield), most, stress);
+  plastic_strain += crushing_increment(constants.material, taken);
+  if constexpr (keeps_hourglass_state(kind)) {
+    const T bending = number<T>(0.5) * (yield + most), variation = kept.variation(), none(0);
+    outcome.any_lost = any_lane(largest_effective_square(none, variation) > bending * bending);
+    if (outcome.any_lost) {
+      Symmetric<T> centre{T(0), T(0), T(0), T(0), T(0), T(0)};
+      const Symmetric<T> deviator = centre;
+      T strain(0);
+      outcome.lost =
+          kept.yield(CrushableFoamBending<T>(constants.material, bending), deviator, none, variation, centre, strain);
+    }
+  }
+  if (place < 0) return;
+  const Symmetric<T> beside = stress_beside_skeleton(constants, motion, compaction);
+  set_symmetric(beside, numbers, place);
+  stress = stress + beside;
 }
 
 /// Yield of a step, with what is kept. In a step of no length nothing strains, and its rates are those of the next.
@@ -144,6 +205,10 @@ PINBALL_FUNCTION YieldOutcome<T> yield_generally(const ElementConstants<ScalarOf
   }
   if (constants.granular.used) {
     if (motion.dt > 0) yield_under_pressure(constants, motion, numbers, kept, stress, plastic_strain, outcome);
+    return outcome;
+  }
+  if (constants.foam.used) {
+    if (motion.dt > 0) crush(constants, motion, numbers, kept, stress, plastic_strain, outcome);
     return outcome;
   }
   const int place = constants.places.back_stress;

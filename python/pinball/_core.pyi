@@ -542,6 +542,22 @@ class DruckerPrager:
     tension_limit: float
     """where the mean stress reaches this there is no strength [stress]"""
 
+class CrushableFoam:
+    """Foam whose principal stresses yield each by itself."""
+    def __init__(self, *, compaction: Sequence[float] = ..., yield_stress: Sequence[float] = ..., tension_cutoff: float = ..., damping: float = ..., air_pressure: float = ..., solid_share: float = ...) -> None: ...
+    compaction: Field[list[float], Sequence[float]]
+    """1 - V/V_0 of the points of a curve, ascending, as many as one likes; before the first the stress is as there, behind the last as between the last two, or as there where it falls [-]"""
+    yield_stress: Field[list[float], Sequence[float]]
+    """one for each of them, of each principal stress [stress]"""
+    tension_cutoff: float
+    """which no principal stress exceeds [stress]"""
+    damping: float
+    """zeta: a rate of deformation adds zeta L/c of what the strain would add; L: of an element, c: the speed of waves along one axis [-]"""
+    air_pressure: float
+    """P_0 at rest of the air in closed cells, whose pressure over that adds to the stress; 0: none [stress]"""
+    solid_share: float
+    """phi: part of the volume at rest that is not air [-]"""
+
 class MooneyRivlin:
     """Rubber after Mooney and Rivlin."""
     def __init__(self, *, a: float = ..., b: float = ..., poisson_ratio: float = ...) -> None: ...
@@ -574,7 +590,7 @@ class Fluid:
 
 class EquationOfState:
     """Pressure over compression and energy."""
-    def __init__(self, *, form: Union[EquationOfStateForm, str] = ..., sound_speed: float = ..., slopes: Sequence[float] = ..., gamma: float = ..., gamma_slope: float = ..., coefficients: Sequence[float] = ..., volume_strain: Sequence[float] = ..., pressure: Sequence[float] = ..., energy_factor: Sequence[float] = ..., tension_limit: float = ..., bears_tension: bool = ..., volume_measure: Union[VolumeMeasure, str] = ..., unloading_modulus: Sequence[float] = ..., full_compaction: float = ...) -> None: ...
+    def __init__(self, *, form: Union[EquationOfStateForm, str] = ..., sound_speed: float = ..., slopes: Sequence[float] = ..., gamma: float = ..., gamma_slope: float = ..., coefficients: Sequence[float] = ..., volume_strain: Sequence[float] = ..., pressure: Sequence[float] = ..., energy_factor: Sequence[float] = ..., tension_limit: float = ..., bears_tension: bool = ..., volume_measure: Union[VolumeMeasure, str] = ..., unloading_modulus: Sequence[float] = ..., full_compaction: float = ..., elastic_compaction: float = ..., tears: bool = ...) -> None: ...
     form: Field[EquationOfStateForm, Union[EquationOfStateForm, str]]
     """of A and B in p = A + B e"""
     sound_speed: float
@@ -600,9 +616,13 @@ class EquationOfState:
     volume_measure: Field[VolumeMeasure, Union[VolumeMeasure, str]]
     """what volume_strain is: "logarithmic", ln(V/V_0); "density", 1 - rho/rho_0"""
     unloading_modulus: Field[list[float], Sequence[float]]
-    """[K] of what crushes, in tension, too, or one for each point: K is straight between them; none: it goes back as it came; empty: none [stress]"""
+    """[K] of what crushes, in tension, too, or one for each point, or two of a polynomial, without compaction and at full_compaction: K is straight between them; none: it goes back as it came; empty: none [stress]"""
     full_compaction: float
     """beyond it what crushes goes back as it came: a volume_strain without its sign, or mu of a polynomial [-]"""
+    elastic_compaction: float
+    """up to it what crushes goes back as it came, in tension, too; as full_compaction; negative: none: K is that of tension from the start [-]"""
+    tears: bool
+    """whether what has come to tension_limit once bears no tension any more"""
 
 class Erosion:
     """Limits beyond which elements are eroded."""
@@ -628,7 +648,7 @@ class Erosion:
 
 class Material:
     """[[material]] of a scene, with bulk and shear modulus."""
-    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., johnson_holmquist: Optional[JohnsonHolmquist] = ..., drucker_prager: Optional[DruckerPrager] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., orthotropic: Optional[Orthotropic] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., johnson_holmquist: Optional[JohnsonHolmquist] = ..., drucker_prager: Optional[DruckerPrager] = ..., crushable_foam: Optional[CrushableFoam] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., orthotropic: Optional[Orthotropic] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
     name: str
     """unique"""
     plastic: bool
@@ -669,6 +689,8 @@ class Material:
     """table (below), in the place of yield_stress and the laws above: ceramics, glass and rock, whose strength grows with the pressure; bulk_modulus is its K_1; None: none"""
     drucker_prager: Optional[DruckerPrager]
     """table (below), in the place of yield_stress and the laws above: soils, foams and concrete, whose strength grows with the pressure; None: none"""
+    crushable_foam: Optional[CrushableFoam]
+    """table (below), in the place of yield_stress and the laws above: foams whose principal stresses yield each by itself, at a stress of the volume; None: none"""
     mooney_rivlin: Optional[MooneyRivlin]
     """table (below): rubber, in the place of the moduli; None: none"""
     orthotropic: Optional[Orthotropic]

@@ -100,6 +100,7 @@ ElementConstants<E> constants_with_laws(const Scene& scene, const ElementPart& p
   c.johnson_cook = johnson_cook_constants<E>(material);
   c.brittle = brittle_constants<E>(material);
   c.granular = granular_constants<E>(material);
+  c.foam = foam_constants<E>(material);
   c.rubber = rubber_constants<E>(material);
   c.orthotropic = orthotropic_constants<E>(material);
   c.fluid = fluid_constants<E>(material);

@@ -110,6 +110,7 @@ void print_materials(const Scene& scene, const Units& units) {
                m.fluid               ? "fluid"
                : m.johnson_holmquist ? "brittle"
                : m.drucker_prager    ? "granular"
+               : m.crushable_foam    ? "foam"
                : m.plastic           ? "von Mises"
                                      : "elastic",
                with_unit(m.density, units.density), with_unit(m.bulk_modulus, units.stress),

@@ -33,6 +33,7 @@ double flow_stress(const Material& m) {
   if (const auto& granular = m.drucker_prager) {  // at the pressure at which it is pressed with as much
     return std::sqrt(3 * (granular->constant + granular->linear * granular->linear));
   }
+  if (const auto& foam = m.crushable_foam) return std::ranges::max(foam->yield_stress);
   return m.yield_stress + (m.johnson_cook ? m.johnson_cook->hardening_coefficient : 0.0);
 }
 

@@ -122,7 +122,7 @@ TEST_P(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
   expect_same_run<double>(scene, GetParam());
 }
 
-TEST_P(DeviceRun, HasPowersFluidsSoilRubberAndAxes) {
+TEST_P(DeviceRun, HasPowersFluidsSoilFoamRubberAndAxes) {
   Scene scene = torn_block();
   scene.element.hourglass = HourglassControl::viscous;
   scene.time.end = 10e-6;
@@ -137,7 +137,7 @@ TEST_P(DeviceRun, HasPowersFluidsSoilRubberAndAxes) {
   fluid.equation_of_state.emplace();
   fluid.equation_of_state->sound_speed = 4000;
   rubber.mooney_rivlin = MooneyRivlinSettings{3e10, 1e10, 0.3};
-  for (const Material& material : {power, fluid, soil_material("soil"), rubber, wood}) {
+  for (const Material& material : {power, fluid, soil_material("soil"), foam_material("foam"), rubber, wood}) {
     scene.materials.push_back(material);
     Body more = block(material.name, {3, 4, 5}, 0.01, {0.5 * scene.bodies.size(), 0, 0}, {}, material.name);
     more.velocity_gradient = scene.bodies[0].velocity_gradient;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <solver/scene_rules.hpp>
 #include <solver/summary.hpp>
 
 #include "stretched_cube.hpp"

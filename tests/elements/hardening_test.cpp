@@ -81,7 +81,8 @@ std::vector<Material> materials() {
           with_heat(StrainRate::plastic),
           with_damage(),
           that_breaks(),
-          soil_material("steel")};
+          soil_material("steel"),
+          foam_material("steel")};
 }
 
 /// A bar that strikes a wall with its edge first: it yields, bends and springs back.

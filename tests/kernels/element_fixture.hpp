@@ -7,18 +7,20 @@
 namespace pinball::test {
 
 /// All that a material may keep, in this order.
-inline constexpr int material_numbers = 32;
+inline constexpr int material_numbers = 39;
 inline constexpr MaterialPlaces material_places{.back_stress = 0,
                                                 .temperature = 5,
                                                 .energy = 6,
                                                 .compaction = 31,
+                                                .torn = 32,
                                                 .damage = 7,
                                                 .hardening = 29,
                                                 .bulking = 30,
+                                                .beside = 33,
                                                 .strain = 8,
                                                 .deformation = 14,
                                                 .gradient = 20,
-                                                .numbers = 32};
+                                                .numbers = 39};
 
 struct ElementState {
   double mass = 0;
@@ -93,6 +95,7 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
     to.johnson_cook = c.johnson_cook;
     to.brittle = c.brittle;
     to.granular = c.granular;
+    to.foam = c.foam;
     to.pressure = c.pressure;
     to.fluid = c.fluid;
     to.rubber = c.rubber;

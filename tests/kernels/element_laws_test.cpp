@@ -89,6 +89,45 @@ ElementScene scene_that_crushes() {
   return scene;
 }
 
+/// The same of a foam with air and a damping.
+ElementScene scene_of_foam() {
+  static constexpr double compaction[2] = {-0.1, 0.3}, stress[2] = {2, 4}, slope[2] = {5, 5};
+  ElementScene scene = scene_of_laws(StrainRateMeasure::total);
+  ElementConstants<double>& c = scene.constants;
+  c.johnson_cook.used = false;
+  c.pressure.law = PressureLaw::linear;
+  c.hardening.points = 2, c.hardening.curves = 1;
+  c.hardening.strain = compaction, c.hardening.stress = stress, c.hardening.slope = slope;
+  c.foam = {true, 1.5, 0.01, 2, 0.8};
+  return scene;
+}
+
+template <HourglassKind kind>
+void expect_packs_of_foam_as_lanes() {
+  const ElementScene scene = scene_of_foam();
+  const ElementOutcome expected = advance<double, general<kind>>(scene);
+  const ElementOutcome found = advance<Pack<double, 8>, general<kind>>(scene);
+  expect_equal(found, expected, general<kind>, 1e-12);
+  int yielded = 0;
+  for (std::size_t e = 0; e < expected.element.size(); ++e) {
+    const ElementState &now = expected.element[e], &before = scene.element[e];
+    if (now.mass == 0) continue;
+    if (now.plastic_strain > before.plastic_strain) ++yielded;
+    for (int c = 0; c < 6; ++c) {
+      const double beside = now.material[material_places.beside + c];
+      EXPECT_NEAR(found.element[e].material[material_places.beside + c], beside, 1e-12 * (1 + std::abs(beside)));
+    }
+  }
+  EXPECT_GT(yielded, 0);
+}
+
+TEST(LawsOfElements, PacksOfFoamGiveWhatTheirLanesGive) {
+  expect_packs_of_foam_as_lanes<HourglassKind::none>();
+  expect_packs_of_foam_as_lanes<HourglassKind::viscous>();
+  expect_packs_of_foam_as_lanes<HourglassKind::stiffness>();
+  expect_packs_of_foam_as_lanes<HourglassKind::assumed_strain>();
+}
+
 template <HourglassKind kind>
 void expect_packs_that_crush_as_lanes() {
   const ElementScene scene = scene_that_crushes();

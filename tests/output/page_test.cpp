@@ -159,6 +159,7 @@ Scene scene() {
                       .johnson_cook = {},
                       .johnson_holmquist = {},
                       .drucker_prager = {},
+                      .crushable_foam = {},
                       .mooney_rivlin = {},
                       .orthotropic = {},
                       .fluid = {},

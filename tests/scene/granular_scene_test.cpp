@@ -72,6 +72,18 @@ TEST_F(GranularScene, ReadsWhatCrushes) {
   EXPECT_EQ(polynomial.bulk_modulus, 4e9);
 }
 
+TEST_F(GranularScene, ReadsWhatTearsAndWhatIsElasticAtFirst) {
+  const EquationOfStateSettings eos =
+      *read(with_pressure("form = \"polynomial\", coefficients = [0, 1e9, 0, 0, 0, 0, 0], unloading_modulus = [1e9, "
+                          "2e9], full_compaction = 0.4, elastic_compaction = 0, tension_limit = 1e5, tears = true"))
+           .materials.at(0)
+           .equation_of_state;
+  EXPECT_EQ(eos.unloading_modulus, (std::vector<double>{1e9, 2e9}));
+  EXPECT_EQ(eos.elastic_compaction, 0);
+  EXPECT_TRUE(eos.tears);
+  EXPECT_LT(read(with_pressure(soil)).materials.at(0).equation_of_state->elastic_compaction, 0);
+}
+
 TEST_F(GranularScene, RefusesCurvesThatAreNone) {
   const std::string curve = "volume_strain = [0, -0.05, -0.3], pressure = [0, 1e6, 6e7], ";
   EXPECT_THAT(problem_of_table(curve + "unloading_modulus = [1e8, 2e8]"),
@@ -90,7 +102,14 @@ TEST_F(GranularScene, RefusesCurvesThatAreNone) {
               HasSubstr("unloading_modulus: not used but with form = \"polynomial\" or \"tabulated\""));
   EXPECT_THAT(error(with_pressure("form = \"polynomial\", coefficients = [0, 1e9, 0, 0, 0, 0, 0], "
                                   "unloading_modulus = [1e9, 2e9]")),
-              HasSubstr("unloading_modulus: expected one number of a polynomial, got 2"));
+              HasSubstr("full_compaction: missing, expected that of the second unloading_modulus"));
+  EXPECT_THAT(error(with_pressure("form = \"polynomial\", coefficients = [0, 1e9, 0, 0, 0, 0, 0], "
+                                  "unloading_modulus = [1e9, 2e9, 3e9]")),
+              HasSubstr("unloading_modulus: expected one number of a polynomial, or two, got 3"));
+  EXPECT_THAT(problem_of_table(curve + "unloading_modulus = [1e8], full_compaction = 0.2, elastic_compaction = 0.2"),
+              HasSubstr("equation_of_state.elastic_compaction: expected a number < full_compaction = 0.2, got 0.2"));
+  EXPECT_THAT(problem_of_table(curve + "tears = true"),
+              HasSubstr("equation_of_state.tension_limit: expected a number > 0 beside tears, got 0"));
   std::vector<std::string> eroding = with_pressure(std::string(soil) + ", bears_tension = false");
   eroding[9] += "\nerosion = { tension = 1e5 }";
   EXPECT_THAT(error(eroding), HasSubstr("erosion.tension: expected 0 beside equation_of_state.bears_tension = false"));

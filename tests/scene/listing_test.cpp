@@ -26,6 +26,7 @@ Scene example() {
                       .johnson_cook = {},
                       .johnson_holmquist = {},
                       .drucker_prager = {},
+                      .crushable_foam = {},
                       .mooney_rivlin = {},
                       .orthotropic = {},
                       .fluid = {},

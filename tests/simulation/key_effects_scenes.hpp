@@ -97,6 +97,9 @@ inline std::map<std::string, std::string> key_effects_scenes() {
       {"a polynomial that crushes",
        pressed(law + "[material.equation_of_state]\nform = \"polynomial\"\n"
                      "coefficients = [0.0, 30.0, 80.0, 10.0, 0.0, 0.0, 0.0]\nunloading_modulus = [90.0]\n")},
+      {"a foam", pressed("model = \"von_mises\"\n" + moduli +
+                         "crushable_foam = { compaction = [0.0, 0.1], yield_stress = [0.3, 0.9], tension_cutoff = 0.2, "
+                         "damping = 0.1, air_pressure = 0.5, solid_share = 0.2 }\n")},
       {"A of Johnson and Cook alone", one(yields + "[material.johnson_cook]\n")},
       {"shock", one(law + "[material.equation_of_state]\nform = \"mie_grueneisen\"\nsound_speed = 3.0\n"
                           "slopes = [1.4, 0.1, 0.0]\ngamma = 2.0\n")},

@@ -230,6 +230,23 @@ TEST(Restart, CompactionOfWhatCrushes) {
   expect_same_after_restart<float>(scene, {0.6});
 }
 
+TEST(Restart, WhatFoamsHaveBesideTheirSkeleton) {
+  Scene scene = scene_of({block("bar", {6, 3, 3}, 0.1, {0, 0, 0}, {0, 5, -40}, "foam")}, 8e-4, false);
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  scene.materials = {foam_material("foam")};
+  expect_same_after_restart<double>(scene);
+  expect_same_after_restart<float>(scene, {0.6});
+}
+
+TEST(Restart, WhatIsTorn) {
+  Scene scene = scene_of({block("bar", {6, 3, 3}, 0.1, {0, 0, 0}, {0, 5, -40}, "soil")}, 8e-4, false);
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  scene.materials = {soil_material("soil")};
+  scene.materials[0].equation_of_state->tension_limit = 1e7;
+  scene.materials[0].equation_of_state->tears = true;
+  expect_same_after_restart<double>(scene);
+}
+
 TEST(Restart, DeformationOfWhatHasAxes) {
   Scene scene = scene_of({block("bar", {6, 3, 3}, 0.1, {0, 0, 0}, {0, 5, -20}, "wood")}, 8e-4, false);
   scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};

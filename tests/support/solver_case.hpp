@@ -54,6 +54,16 @@ inline Material soil_material(const std::string& name) {
   return m;
 }
 
+/// As dense and stiff as steel, as above, but each of its principal stresses yields by itself, with air and a damping.
+inline Material foam_material(const std::string& name) {
+  Material m = plastic_material(name, 0, 0);
+  m.plastic_modulus = 0;
+  m.bulk_modulus = 8e10;
+  m.shear_modulus = 9e10;
+  m.crushable_foam = CrushableFoamSettings{{0, 0.005, 0.3, 0.6}, {3e8, 4e8, 6e8, 3e10}, 2e8, 0.02, 1e8, 0.2};
+  return m;
+}
+
 /// A block of cubic elements of size h.
 inline Body block(const std::string& name, const std::array<int, 3>& elements, double h, const Point& corner,
                   const Point& velocity = {}, const std::string& material = "steel") {

@@ -85,6 +85,20 @@ DruckerPragerConstants<S> granular_constants(const Material& material) {
 }
 
 template <class S>
+CrushableFoamConstants<S> foam_constants(const Material& material) {
+  CrushableFoamConstants<S> law;
+  if (!material.crushable_foam || !material.plastic) return law;
+  const CrushableFoamSettings& given = *material.crushable_foam;
+  const double along_one_axis = material.bulk_modulus + 4.0 / 3.0 * material.shear_modulus;
+  law.used = true;
+  law.cutoff = to<S>(given.tension_cutoff);
+  law.damping = to<S>(given.damping * std::sqrt(material.density / along_one_axis));
+  law.air_pressure = to<S>(given.air_pressure);
+  law.open_share = to<S>(1 - given.solid_share);
+  return law;
+}
+
+template <class S>
 MooneyRivlinConstants<S> rubber_constants(const Material& material) {
   if (!material.mooney_rivlin || material.plastic) return {};
   const auto& [a, b, nu] = *material.mooney_rivlin;
@@ -143,11 +157,17 @@ EquationOfState<S> pressure_constants(const Material& material) {
   if (!given.bears_tension) eos.tension_limit = 0;
   eos.crushes = !given.unloading_modulus.empty();
   eos.full = to<S>(given.full_compaction);
+  if (given.elastic_compaction >= 0) eos.elastic = to<S>(given.elastic_compaction);
+  eos.tears = given.tears;
   if (given.form == EquationOfStateForm::polynomial) {
     eos.law = PressureLaw::polynomial;
     std::transform(given.coefficients.begin(), given.coefficients.end(), eos.polynomial, to<S>);
     eos.logarithmic = false;
     if (eos.crushes) eos.unloading[0] = to<S>(given.unloading_modulus.front());
+    if (given.unloading_modulus.size() > 1) {
+      const double rise = given.unloading_modulus[1] - given.unloading_modulus[0];
+      eos.unloading_rise[0] = to<S>(rise / given.full_compaction);
+    }
     return eos;
   }
   if (given.form == EquationOfStateForm::tabulated) {
@@ -216,8 +236,14 @@ MaterialPlaces material_places(const Material& material) {
     keep(places.damage, 1);
     keep(places.bulking, 1);
   }
-  if (material.equation_of_state) keep(places.energy, 1);
-  if (material.equation_of_state && !material.equation_of_state->unloading_modulus.empty()) keep(places.compaction, 1);
+  if (const auto& foam = material.crushable_foam; foam && (foam->damping > 0 || foam->air_pressure > 0)) {
+    keep(places.beside, 6);
+  }
+  if (const auto& eos = material.equation_of_state) {
+    keep(places.energy, 1);
+    if (!eos->unloading_modulus.empty()) keep(places.compaction, 1);
+    if (eos->tears) keep(places.torn, 1);
+  }
   return places;
 }
 
@@ -227,6 +253,8 @@ template JohnsonHolmquistConstants<double> brittle_constants<double>(const Mater
 template JohnsonHolmquistConstants<float> brittle_constants<float>(const Material&);
 template DruckerPragerConstants<double> granular_constants<double>(const Material&);
 template DruckerPragerConstants<float> granular_constants<float>(const Material&);
+template CrushableFoamConstants<double> foam_constants<double>(const Material&);
+template CrushableFoamConstants<float> foam_constants<float>(const Material&);
 template MooneyRivlinConstants<double> rubber_constants<double>(const Material&);
 template MooneyRivlinConstants<float> rubber_constants<float>(const Material&);
 template OrthotropicConstants<double> orthotropic_constants<double>(const Material&);

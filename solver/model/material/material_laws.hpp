@@ -17,6 +17,10 @@ JohnsonHolmquistConstants<S> brittle_constants(const Material& material);
 template <class S>
 DruckerPragerConstants<S> granular_constants(const Material& material);
 
+/// Of a foam, the same; its curve is in the place of those of hardening.
+template <class S>
+CrushableFoamConstants<S> foam_constants(const Material& material);
+
 /// None used of a material that is none, here and below.
 template <class S>
 MooneyRivlinConstants<S> rubber_constants(const Material& material);

@@ -25,6 +25,11 @@ YieldCurve linear_hardening(const Material& m) {
   return curve;
 }
 
+std::vector<YieldCurve> given_curves(const Material& m) {
+  if (m.crushable_foam) return {{0.0, m.crushable_foam->compaction, m.crushable_foam->yield_stress}};
+  return m.yield_curves.empty() ? std::vector<YieldCurve>{linear_hardening(m)} : m.yield_curves;
+}
+
 /// Of the piece that begins at point k; beyond the last point that before it, where it does not fall.
 double slope_from(const YieldCurve& curve, std::size_t k) {
   const auto& e = curve.plastic_strain;
@@ -53,8 +58,9 @@ std::vector<double> all_strains(const std::vector<YieldCurve>& curves) {
 
 bool has_general_yield(const Material& m) {
   if (m.erosion || ((m.mooney_rivlin || m.orthotropic) && !m.plastic)) return true;
-  return m.plastic && (m.isotropic_share < 1 || m.rate_constant > 0 || !m.yield_curves.empty() || m.power_hardening ||
-                       m.johnson_cook || m.johnson_holmquist || m.drucker_prager || m.equation_of_state);
+  return m.plastic &&
+         (m.isotropic_share < 1 || m.rate_constant > 0 || !m.yield_curves.empty() || m.power_hardening ||
+          m.johnson_cook || m.johnson_holmquist || m.drucker_prager || m.crushable_foam || m.equation_of_state);
 }
 
 StrainRateMeasure strain_rate_measure(StrainRate rate) {
@@ -65,8 +71,7 @@ StrainRateMeasure strain_rate_measure(StrainRate rate) {
 
 template <class S>
 YieldCurves<S> yield_curves(const Material& material) {
-  const std::vector<YieldCurve> given =
-      material.yield_curves.empty() ? std::vector<YieldCurve>{linear_hardening(material)} : material.yield_curves;
+  const std::vector<YieldCurve> given = given_curves(material);
   const bool logarithmic = material.rate_interpolation == RateInterpolation::logarithmic;
   const std::vector<double> strains = all_strains(given);
   YieldCurves<S> curves;

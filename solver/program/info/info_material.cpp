@@ -101,6 +101,20 @@ void print_drucker_prager(const DruckerPragerSettings& law, const Units& units) 
   fmt::print("\n");
 }
 
+void print_crushable_foam(const CrushableFoamSettings& law, const Units& units) {
+  fmt::print("    crushable foam: yield stress {} at the compaction {:.4g} to {} at {:.4g}, {} points",
+             with_unit(law.yield_stress.front(), units.stress), law.compaction.front(),
+             with_unit(law.yield_stress.back(), units.stress), law.compaction.back(), law.compaction.size());
+  if (std::isfinite(law.tension_cutoff)) {
+    fmt::print(", no tension beyond {}", with_unit(law.tension_cutoff, units.stress));
+  }
+  if (law.damping > 0) fmt::print(", damping {:.4g}", law.damping);
+  if (law.air_pressure > 0) {
+    fmt::print(", air of {} in {:.4g} of the volume", with_unit(law.air_pressure, units.stress), 1 - law.solid_share);
+  }
+  fmt::print("\n");
+}
+
 void print_equation_of_state(const EquationOfStateSettings& eos, const Units& units) {
   if (eos.form == EquationOfStateForm::polynomial) {
     fmt::print("    equation of state: polynomial, c1 {}", with_unit(eos.coefficients[1], units.stress));
@@ -112,6 +126,7 @@ void print_equation_of_state(const EquationOfStateSettings& eos, const Units& un
                with_unit(eos.sound_speed, units.velocity), eos.slopes[0], eos.gamma);
   }
   if (eos.tension_limit > 0) fmt::print(", no tension beyond {}", with_unit(eos.tension_limit, units.stress));
+  if (eos.tears) fmt::print(", and none at all from then on");
   if (!eos.bears_tension) fmt::print(", no tension");
   if (!eos.unloading_modulus.empty()) {
     const auto [least, most] = std::ranges::minmax(eos.unloading_modulus);
@@ -137,6 +152,8 @@ void print_hardening(const Material& m, const Units& units) {
     print_johnson_holmquist(m, units);
   } else if (m.drucker_prager) {
     print_drucker_prager(*m.drucker_prager, units);
+  } else if (m.crushable_foam) {
+    print_crushable_foam(*m.crushable_foam, units);
   } else if (m.johnson_cook) {
     print_johnson_cook(m, units);
   } else if (m.power_hardening) {

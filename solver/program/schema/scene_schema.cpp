@@ -102,11 +102,12 @@ SchemaJson define_tables_of_material(SchemaJson& all, schema::Types<T...> /*tabl
 /// What is required, but where a published material gives it. of_tables: what the tables in it require.
 SchemaJson material_schema(const SchemaJson& of_tables) {
   SchemaJson table = table_schema<Material>();
-  const SchemaJson yield{{"if", where("model", "von_mises")},
-                         {"then",
-                          {{"anyOf",
-                            {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"}),
-                             required({"fluid"}), required({"johnson_holmquist"}), required({"drucker_prager"})}}}}};
+  const SchemaJson yield{
+      {"if", where("model", "von_mises")},
+      {"then",
+       {{"anyOf",
+         {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"}), required({"fluid"}),
+          required({"johnson_holmquist"}), required({"drucker_prager"}), required({"crushable_foam"})}}}}};
   const SchemaJson moduli{{"oneOf",
                            {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
                             required({"equation_of_state", "shear_modulus"}), required({"mooney_rivlin"}),

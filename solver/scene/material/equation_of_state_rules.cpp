@@ -40,11 +40,22 @@ std::optional<Problem> problem_of(const EquationOfStateSettings& eos) {
     if (!(one > 0 && std::isfinite(one)))
       return Problem{"unloading_modulus", fmt::format("expected numbers > 0, got {}", one)};
   }
+  if (eos.elastic_compaction >= eos.full_compaction) {
+    return Problem{"elastic_compaction", fmt::format("expected a number < full_compaction = {}, got {}",
+                                                     eos.full_compaction, eos.elastic_compaction)};
+  }
+  if (eos.tears && !(eos.tension_limit > 0)) {
+    return Problem{"tension_limit", fmt::format("expected a number > 0 beside tears, got {}", eos.tension_limit)};
+  }
   if (eos.form == EquationOfStateForm::tabulated) return problem_of_table(eos);
   if (eos.form == EquationOfStateForm::polynomial) {
-    if (eos.unloading_modulus.size() > 1)
-      return Problem{"unloading_modulus",
-                     fmt::format("expected one number of a polynomial, got {}", eos.unloading_modulus.size())};
+    const std::size_t moduli = eos.unloading_modulus.size();
+    if (moduli > 2) {
+      return Problem{"unloading_modulus", fmt::format("expected one number of a polynomial, or two, got {}", moduli)};
+    }
+    if (moduli == 2 && !std::isfinite(eos.full_compaction)) {
+      return Problem{"full_compaction", "missing, expected that of the second unloading_modulus"};
+    }
     return problem_of_polynomial(eos.coefficients);
   }
   for (const double slope : eos.slopes) {

@@ -97,6 +97,19 @@ std::optional<Problem> problem_of_drucker_prager(const Material& m) {
   return inside("drucker_prager", problem_of(*m.drucker_prager));
 }
 
+/// The same of a foam.
+std::optional<Problem> problem_of_crushable_foam(const Material& m) {
+  const char* const other = m.yield_stress > 0    ? "yield_stress"
+                            : m.johnson_cook      ? "johnson_cook"
+                            : m.johnson_holmquist ? "johnson_holmquist"
+                            : m.drucker_prager    ? "drucker_prager"
+                            : m.fluid             ? "fluid"
+                            : m.equation_of_state ? "equation_of_state"
+                                                  : other_hardening(m);
+  if (other != nullptr) return Problem{other, "expected none beside crushable_foam"};
+  return inside("crushable_foam", problem_of(*m.crushable_foam));
+}
+
 /// What stands beside a fluid that only solids have, and what it needs.
 std::optional<Problem> problem_of_fluid(const Material& m) {
   const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
@@ -200,6 +213,9 @@ std::optional<Problem> problem_of(const Material& material) {
   if (material.drucker_prager) {
     if (const auto problem = problem_of_drucker_prager(material)) return problem;
   }
+  if (material.crushable_foam) {
+    if (const auto problem = problem_of_crushable_foam(material)) return problem;
+  }
   if (material.power_hardening) {
     if (const auto problem = problem_of_power(material)) return problem;
   }
@@ -221,7 +237,15 @@ std::optional<Problem> problem_of(const Material& material) {
 
 std::optional<Problem> problem_of(const Body& body, const Scene& scene) {
   const auto material = std::ranges::find(scene.materials, body.material, &Material::name);
-  if (material == scene.materials.end() || !material->fluid) return {};
+  if (material == scene.materials.end()) return {};
+  if (scene.time.subcycling && material->crushable_foam && material->crushable_foam->damping > 0) {
+    return Problem{
+        "material",
+        fmt::format("expected time.subcycling = false with {}, whose crushable_foam has a damping: levels of "
+                    "steps do not know of it",
+                    material->name)};
+  }
+  if (!material->fluid) return {};
   if (scene.time.subcycling && material->fluid->viscosity > 0) {
     return Problem{
         "material",
@@ -240,6 +264,29 @@ std::optional<Problem> problem_of(const Body& body, const Scene& scene) {
 std::optional<Problem> problem_of(const DruckerPragerSettings& law) {
   if (law.constant > 0 || law.linear > 0 || law.quadratic > 0) return {};
   return Problem{"constant", "expected this, linear or quadratic > 0, got none: what has no strength is a fluid"};
+}
+
+std::optional<Problem> problem_of(const CrushableFoamSettings& law) {
+  const auto& x = law.compaction;
+  if (x.empty()) return Problem{"compaction", "missing, expected ascending numbers < 1"};
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (!(std::isfinite(x[k]) && x[k] < 1)) {
+      return Problem{"compaction", fmt::format("expected numbers < 1, of what is left of a volume, got {}", x[k])};
+    }
+    if (k > 0 && !(x[k] > x[k - 1])) {
+      return Problem{"compaction", fmt::format("expected ascending numbers, got {} after {}", x[k], x[k - 1])};
+    }
+  }
+  if (law.yield_stress.size() != x.size()) {
+    return Problem{"yield_stress", fmt::format("expected one number for each of the {} compactions, got {}", x.size(),
+                                               law.yield_stress.size())};
+  }
+  for (const double stress : law.yield_stress) {
+    if (!(stress >= 0 && std::isfinite(stress)))
+      return Problem{"yield_stress", fmt::format("expected numbers >= 0, got {}", stress)};
+  }
+  if (std::ranges::max(law.yield_stress) > 0) return {};
+  return Problem{"yield_stress", "expected one > 0, got none: what has no strength is a fluid"};
 }
 
 bool erodes_by_damage(const Material& m) {

@@ -7,6 +7,7 @@
 #include "key.hpp"
 #include "pressure_and_erosion.hpp"
 #include "rigid.hpp"
+#include "strength.hpp"
 
 /// The keys of materials.
 namespace pinball::schema {
@@ -37,9 +38,9 @@ constexpr void describe(Of<OneYieldCurve>, Visit&& visit) {
 }
 
 /// The tables that a material may have in it.
-using TablesOfMaterial =
-    Types<PowerHardeningSettings, JohnsonCookSettings, JohnsonHolmquistSettings, DruckerPragerSettings,
-          MooneyRivlinSettings, OrthotropicSettings, FluidSettings, EquationOfStateSettings, ErosionSettings>;
+using TablesOfMaterial = Types<PowerHardeningSettings, JohnsonCookSettings, JohnsonHolmquistSettings,
+                               DruckerPragerSettings, CrushableFoamSettings, MooneyRivlinSettings, OrthotropicSettings,
+                               FluidSettings, EquationOfStateSettings, ErosionSettings>;
 template <class Part>
 requires is_one_of<Part, TablesOfMaterial>
 struct IsInnerTable<Part> : std::true_type {
@@ -53,116 +54,6 @@ constexpr void describe(Of<PowerHardeningSettings>, Visit&& visit) {
             &T::exponent,
             "n",
             {.unit = "-", .bound = {.low = 0.0, .low_open = true, .high = 1.0}, .need = Need::required}});
-}
-
-template <class Visit>
-constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
-  using T = JohnsonCookSettings;
-  visit(Key{"hardening_coefficient", &T::hardening_coefficient, "B", {.unit = "M/(L T^2)", .bound = not_negative}});
-  visit(Key{"hardening_exponent", &T::hardening_exponent, "n", {.unit = "-", .bound = positive}}.idle_where(
-      [](const T& law, const Scene&) { return law.hardening_coefficient == 0; }, "without hardening_coefficient"));
-  visit(Key{"rate_coefficient", &T::rate_coefficient, "C", {.unit = "-", .bound = not_negative}});
-  visit(Key{"reference_rate",
-            &T::reference_rate,
-            "at which r = 1; > 0 beside `rate_coefficient` and D4",
-            {.unit = "1/T", .bound = not_negative}}
-            .idle_where(
-                [](const T& law, const Scene&) {
-                  return law.rate_coefficient == 0 && (law.failure.size() < 4 || law.failure[3] == 0);
-                },
-                "without rate_coefficient or D4"));
-  visit(Key{"softening_exponent", &T::softening_exponent, "m", {.unit = "-", .bound = positive}}.idle_where(
-      [](const T& law, const Scene&) { return law.melting_temperature == 0; }, "without melting_temperature"));
-  visit(Key{"melting_temperature",
-            &T::melting_temperature,
-            "> `room_temperature`; 0: heat does not soften",
-            {.unit = "K", .bound = not_negative}});
-  visit(
-      Key{"room_temperature", &T::room_temperature, "of the undeformed material", {.unit = "K", .bound = not_negative}}
-          .idle_where([](const T& law, const Scene&) { return law.melting_temperature == 0 && law.specific_heat == 0; },
-                      "without melting_temperature or specific_heat"));
-  visit(Key{"specific_heat",
-            &T::specific_heat,
-            "per mass; > 0 beside `melting_temperature`",
-            {.unit = "L^2/(T^2 K)", .bound = not_negative}});
-  visit(Key{"heat_share",
-            &T::heat_share,
-            "part of the plastic work that heats",
-            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}}
-            .idle_where([](const T& law, const Scene&) { return law.specific_heat == 0; }, "without specific_heat"));
-  visit(Key{"failure",
-            &T::failure,
-            "`[D1, D2, D3, D4, D5]`: an element whose damage reaches 1 is eroded",
-            {.unit = "-", .otherwise = "none"}});
-  visit(Key{"damage_weakening",
-            &T::damage_weakening,
-            "w: part of the strength that is lost by then, in proportion to the damage",
-            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}}
-            .idle_where([](const T& law, const Scene&) { return law.failure.empty(); }, "without failure"));
-}
-
-template <class Visit>
-constexpr void describe(Of<JohnsonHolmquistSettings>, Visit&& visit) {
-  using T = JohnsonHolmquistSettings;
-  visit(Key{"intact_strength", &T::intact_strength, "A", {.unit = "-", .bound = positive, .need = Need::required}});
-  visit(Key{"intact_exponent", &T::intact_exponent, "N", {.unit = "-", .bound = not_negative, .need = Need::required}});
-  visit(Key{"fractured_strength", &T::fractured_strength, "B", {.unit = "-", .bound = not_negative}});
-  const auto no_fragments = [](const T& law, const Scene&) { return law.fractured_strength == 0; };
-  visit(Key{"fractured_exponent", &T::fractured_exponent, "M", {.unit = "-", .bound = not_negative}}.idle_where(
-      no_fragments, "without fractured_strength"));
-  visit(Key{"most_fractured",
-            &T::most_fractured,
-            "F, of the strength of fragments; 0: no such limit",
-            {.unit = "-", .bound = not_negative}}
-            .idle_where(no_fragments, "without fractured_strength"));
-  visit(Key{"rate_coefficient", &T::rate_coefficient, "C", {.unit = "-", .bound = not_negative}});
-  visit(Key{"reference_rate",
-            &T::reference_rate,
-            "above which strength grows with the rate; > 0 beside `rate_coefficient`",
-            {.unit = "1/T", .bound = not_negative}}
-            .idle_where([](const T& law, const Scene&) { return law.rate_coefficient == 0; },
-                        "without rate_coefficient"));
-  visit(Key{"tensile_strength",
-            &T::tensile_strength,
-            "of the mean stress",
-            {.unit = "M/(L T^2)", .bound = not_negative, .need = Need::required}});
-  visit(Key{"elastic_limit",
-            &T::elastic_limit,
-            "HEL, Hugoniot elastic limit: stress along a shock",
-            {.unit = "M/(L T^2)", .bound = positive, .need = Need::required}});
-  visit(Key{"elastic_limit_pressure",
-            &T::elastic_limit_pressure,
-            "p_H, the pressure there, < `elastic_limit`",
-            {.unit = "M/(L T^2)", .bound = positive, .need = Need::required}});
-  visit(Key{"damage_coefficient",
-            &T::damage_coefficient,
-            "D_1; 0: it breaks where it yields",
-            {.unit = "-", .bound = not_negative}});
-  visit(Key{"damage_exponent", &T::damage_exponent, "D_2", {.unit = "-", .bound = not_negative}}.idle_where(
-      [](const T& law, const Scene&) { return law.damage_coefficient == 0; }, "without damage_coefficient"));
-  visit(Key{"quadratic_modulus", &T::quadratic_modulus, "K_2, of the pressure", {.unit = "M/(L T^2)"}});
-  visit(Key{"cubic_modulus", &T::cubic_modulus, "K_3", {.unit = "M/(L T^2)"}});
-  visit(Key{"bulking",
-            &T::bulking,
-            "beta: part of the elastic energy set free by damage that presses fragments apart",
-            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}});
-  visit(Key{"erodes", &T::erodes, "whether an element whose damage reaches 1 is eroded"});
-}
-
-template <class Visit>
-constexpr void describe(Of<DruckerPragerSettings>, Visit&& visit) {
-  using T = DruckerPragerSettings;
-  visit(Key{"constant", &T::constant, "a0", {.unit = "M^2/(L^2 T^4)", .bound = not_negative}});
-  visit(Key{"linear", &T::linear, "a1", {.unit = "M/(L T^2)", .bound = not_negative}});
-  visit(Key{"quadratic", &T::quadratic, "a2; one of the three > 0", {.unit = "-", .bound = not_negative}});
-  visit(Key{"largest",
-            &T::largest,
-            "which s:s/2 never exceeds",
-            {.unit = "M^2/(L^2 T^4)", .bound = positive, .unset = Unset::infinite, .otherwise = "infinite"}});
-  visit(Key{"tension_limit",
-            &T::tension_limit,
-            "where the mean stress reaches this there is no strength",
-            {.unit = "M/(L T^2)", .bound = not_negative, .unset = Unset::infinite, .otherwise = "infinite"}});
 }
 
 template <class Visit>
@@ -352,6 +243,13 @@ constexpr void describe(Of<Material>, Visit&& visit) {
       "table (below), in the place of `yield_stress` and the laws above: soils, foams and concrete, whose strength "
       "grows "
       "with the pressure",
+      {.otherwise =
+           "none"}}.only_where(plastic));
+  where_it_deforms(Key{
+      "crushable_foam",
+      &T::crushable_foam,
+      "table (below), in the place of `yield_stress` and the laws above: foams whose principal stresses yield each by "
+      "itself, at a stress of the volume",
       {.otherwise =
            "none"}}.only_where(plastic));
   visit(Key{

@@ -52,8 +52,8 @@ constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
             .only_where(tabulated, "but with form = \"tabulated\""));
   visit(Key{"unloading_modulus",
             &T::unloading_modulus,
-            "`[K]` of what crushes, in tension, too, or one for each point: K is straight between them; none: it goes "
-            "back as it came",
+            "`[K]` of what crushes, in tension, too, or one for each point, or two of a polynomial, without compaction "
+            "and at `full_compaction`: K is straight between them; none: it goes back as it came",
             {.unit = "M/(L T^2)", .otherwise = "none"}}
             .only_where(curve, "but with form = \"polynomial\" or \"tabulated\""));
   visit(Key{"full_compaction",
@@ -61,6 +61,15 @@ constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
             "beyond it what crushes goes back as it came: a `volume_strain` without its sign, or mu of a polynomial",
             {.unit = "-", .bound = positive, .unset = Unset::infinite, .otherwise = "infinite"}}
             .only_where([](const T& eos) { return !eos.unloading_modulus.empty(); }, "without unloading_modulus"));
+  visit(Key{"elastic_compaction",
+            &T::elastic_compaction,
+            "up to it what crushes goes back as it came, in tension, too; as `full_compaction`",
+            {.unit = "-",
+             .bound = not_negative,
+             .unset = Unset::negative,
+             .otherwise = "none: K is that of tension from the start"}}
+            .only_where([](const T& eos) { return !eos.unloading_modulus.empty(); }, "without unloading_modulus"));
+  visit(Key{"tears", &T::tears, "whether what has come to `tension_limit` once bears no tension any more"});
 }
 
 template <class Visit>

@@ -46,7 +46,8 @@ class Crushed {
   /// To x = ln(rho/rho_0), or mu.
   double to(double x) {
     const double mu = eos_.logarithmic ? std::expm1(x) : x, volume = 1 / (1 + mu);
-    state_ = pressure_after(eos_, PressureStep<double>{mu, volume - volume_, 0, state_.value, most_}, state_.energy);
+    const PressureStep<double> step{mu, volume - volume_, 0, state_.value, most_, state_.torn};
+    state_ = pressure_after(eos_, step, state_.energy);
     most_ = most_after(eos_, table_strain(eos_, mu).value, most_);
     volume_ = volume;
     return state_.value;
@@ -57,7 +58,7 @@ class Crushed {
 
  private:
   EquationOfState<double> eos_;
-  PressureState<double> state_{0, 0, 0};
+  PressureState<double> state_{0, 0, 0, 0};
   double volume_ = 1, most_ = 0;
 };
 
@@ -88,6 +89,36 @@ TEST(Crushing, HasItsUnloadingModulusInTension) {
   Crushed dry(eos);
   EXPECT_EQ(dry.to(-0.002), 0);
   EXPECT_NEAR(dry.to(0.005), 1.5, 1e-12);
+}
+
+TEST(Crushing, BearsNoTensionOnceItIsTorn) {
+  EquationOfState<double> eos = foam();
+  eos.tears = true;
+  Crushed body(eos);
+  EXPECT_NEAR(body.to(-0.002), -0.8, 1e-12);
+  EXPECT_NEAR(body.to(0.005), 1.5, 1e-12);
+  EXPECT_EQ(body.to(-0.01), -2) << "in this step it has come to its limit";
+  EXPECT_EQ(body.to(-0.002), 0);
+  EXPECT_NEAR(body.to(0.1), 3 + 2 * 0.09 / 0.19, 1e-12) << "it is pressed as before";
+  EXPECT_EQ(body.to(0.01), 0);
+  EXPECT_EQ(pressure_of_energy(eos, -0.3, 0.0, 1.0, 0.0), 0);
+  EXPECT_EQ(pressure_of_energy(eos, -0.3, 0.0, 0.0, 0.0), -2);
+}
+
+TEST(Crushing, MayBeElasticAtFirst) {
+  EquationOfState<double> eos = polynomial();
+  eos.elastic = 0.05, eos.full = 0.2;
+  eos.unloading[0] = 100, eos.unloading_rise[0] = 2000;  // 500 at 0.2
+  Crushed body(eos);
+  const auto curve = [](double mu) { return mu * (30 + mu * (200 + mu * 100)); };
+  EXPECT_NEAR(body.to(-0.01), -0.3 - 1e-4, 1e-13) << "tension goes along the curve, without its square";
+  EXPECT_NEAR(body.to(0.05), curve(0.05), 1e-13);
+  EXPECT_NEAR(body.to(0.02), curve(0.02), 1e-13);
+  EXPECT_NEAR(body.to(0.1), curve(0.1), 1e-13);
+  EXPECT_NEAR(body.to(0.09), curve(0.1) - 300 * 0.01, 1e-12);
+  EXPECT_NEAR(body.to(0.3), curve(0.3), 1e-12);
+  EXPECT_NEAR(body.to(0.25), curve(0.25), 1e-12);
+  EXPECT_NEAR(body.to(0.19), curve(0.2) - 500 * 0.01, 1e-12);
 }
 
 TEST(Crushing, EndsWhereAllIsCompacted) {
@@ -143,11 +174,11 @@ TEST(Crushing, MayHaveItsTableOverTheDensity) {
 
 TEST(Crushing, KnowsThePressureBeforeTheWork) {
   const EquationOfState<double> eos = foam();
-  EXPECT_NEAR(pressure_of_energy(eos, std::expm1(0.249), 0.25, 7.0), 17.5 - 0.65, 1e-11);
-  EXPECT_EQ(pressure_of_energy(eos, -0.3, 0.25, 7.0), -2);
+  EXPECT_NEAR(pressure_of_energy(eos, std::expm1(0.249), 0.25, 0.0, 7.0), 17.5 - 0.65, 1e-11);
+  EXPECT_EQ(pressure_of_energy(eos, -0.3, 0.25, 0.0, 7.0), -2);
   EquationOfState<double> hot = eos;
   hot.thermal[0] = 2, hot.thermal_rise[0] = 0;
-  EXPECT_NEAR(pressure_of_energy(hot, std::expm1(0.005), 0.0, 7.0), 1.5 + 14, 1e-11);
+  EXPECT_NEAR(pressure_of_energy(hot, std::expm1(0.005), 0.0, 0.0, 7.0), 1.5 + 14, 1e-11);
 }
 
 }  // namespace

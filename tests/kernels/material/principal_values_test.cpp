@@ -57,5 +57,56 @@ TEST(PrincipalValues, OfPacksAreThoseOfTheirLanes) {
   }
 }
 
+/// Largest difference of two tensors.
+double difference(const Symmetric<double>& a, const Symmetric<double>& b) {
+  const Symmetric<double> d = a - b;
+  return std::max({std::abs(d.xx), std::abs(d.yy), std::abs(d.zz), std::abs(d.xy), std::abs(d.yz), std::abs(d.zx)});
+}
+
+/// Also of two or three values that are equal, or nearly so.
+TEST(PrincipalValues, MayBeLimitedWithoutTurning) {
+  Random random(34);
+  for (const double apart : {1.0, 1e-4, 1e-9, 0.0}) {
+    for (int i = 0; i < 200; ++i) {
+      Vec3<double> v = random_vector(random, 1);
+      v.y = v.x + apart * uniform(random, -1, 1);
+      if (i % 2 == 0) v.z = v.x + apart * uniform(random, -1, 1);
+      const Tensor<double> rotation =
+          i % 5 == 0 ? rotation_matrix(Vec3<double>{0, 0, 1}, 0.0) : random_rotation(random);
+      const auto limited = [](double value) { return std::clamp(value, -0.3, 0.2); };
+      Symmetric<double> s = turned(v, rotation);
+      const Symmetric<double> before = s, taken = limit_principal_values(-0.3, 0.2, s);
+      EXPECT_LT(difference(s, turned({limited(v.x), limited(v.y), limited(v.z)}, rotation)), 4e-15);
+      EXPECT_LT(difference(s + taken, before), 1e-15);
+    }
+  }
+}
+
+TEST(PrincipalValues, WithinTheirLimitsAreLeftAlone) {
+  Symmetric<double> s{0.1, -0.2, 0.05, 0.01, -0.03, 0.02};
+  const Symmetric<double> before = s, taken = limit_principal_values(-0.5, 0.5, s);
+  EXPECT_EQ(difference(s, before), 0);
+  EXPECT_EQ(trace(taken), 0);
+}
+
+TEST(PrincipalValues, OfPacksAreLimitedAsThoseOfTheirLanes) {
+  using T = Pack<double, 8>;
+  using S = Symmetric<double>;
+  Random random(35);
+  S one[8];
+  for (S& s : one) s = random_symmetric(random, 1);
+  one[3] = {0.1, 0.1, 0.1, 0, 0, 0};
+  one[5] = {-3, -3, -3, 0, 0, 0};
+  const auto lanes = [&](double S::*c) { return T([&](auto i) { return one[i].*c; }); };
+  Symmetric<T> s{lanes(&S::xx), lanes(&S::yy), lanes(&S::zz), lanes(&S::xy), lanes(&S::yz), lanes(&S::zx)};
+  limit_principal_values(T(-0.3), T(0.2), s);
+  for (int i = 0; i < 8; ++i) {
+    S expected = one[i];
+    limit_principal_values(-0.3, 0.2, expected);
+    const S found{lane(s.xx, i), lane(s.yy, i), lane(s.zz, i), lane(s.xy, i), lane(s.yz, i), lane(s.zx, i)};
+    EXPECT_LT(difference(found, expected), i == 3 ? 1e-300 : 4e-15) << i;
+  }
+}
+
 }  // namespace
 }  // namespace pinball::principal_values_test
