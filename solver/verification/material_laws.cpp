@@ -124,6 +124,20 @@ double pressure_on_curve(const EquationOfStateSettings& eos, double k) {
   return eos.pressure[i] + slope * (-k - eos.volume_strain[i]);
 }
 
+/// Yield stress and pressure of the air of a foam that is pressed along z by the logarithmic strain k.
+struct FoamPressed {
+  double yield, air;
+
+  FoamPressed(const CrushableFoamSettings& law, double k) {
+    const double x = -std::expm1(-k);
+    std::size_t i = 1;
+    while (i + 1 < law.compaction.size() && x > law.compaction[i]) ++i;
+    const double part = (x - law.compaction[i - 1]) / (law.compaction[i] - law.compaction[i - 1]);
+    yield = law.yield_stress[i - 1] + part * (law.yield_stress[i] - law.yield_stress[i - 1]);
+    air = law.air_pressure * x / (1 - law.solid_share - x);
+  }
+};
+
 /// Bodies of the scene by their names, which have an element each and a material of the same name.
 class Bodies {
  public:
@@ -202,6 +216,8 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
   const Material& soil = bodies.material("soil");
   const double crushed = pressure_on_curve(*soil.equation_of_state, k);
   const DruckerPragerSettings& sand = *soil.drucker_prager;
+  const std::array<double, 6> of_foam = stress_of(solver, bodies.number("foam"));
+  const FoamPressed foam(*bodies.material("foam").crushable_foam, k);
   const Material &power = bodies.material("power"), &rubber = bodies.material("mooney_rivlin"),
                  &fluid = bodies.material("fluid"), &copper = bodies.material("johnson_cook");
   const PowerHardeningSettings& law = *power.power_hardening;
@@ -235,6 +251,8 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
       compared("soil", of_soil[0] - of_soil[2],
                std::sqrt(3 * (sand.constant + sand.linear * crushed + sand.quadratic * crushed * crushed)), 1e-11,
                "sqrt(3 (a0 + a1 p + a2 p^2)) at that pressure"),
+      compared("foam", of_foam[0] - of_foam[2], foam.yield, 1e-11, "its curve of compaction"),
+      compare("stress across at the end [Pa], foam", of_foam[0], -foam.air, 1e-11, "P_0 x/(1 - phi - x) of its air"),
       row("fluid", 4 * fluid.fluid->viscosity * speed, of_increments, "2 eta D"),
   };
 }
