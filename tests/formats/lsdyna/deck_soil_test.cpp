@@ -60,6 +60,21 @@ TEST_F(DeckSoil, MayHaveItsStrainsWithEitherSignAndAsACurve) {
   EXPECT_THAT(told(soil(constants, "0,0,6", points, curve)), Contains(HasSubstr("P1 to P10")));
 }
 
+/// *MAT_014 is it, without tension after PC.
+TEST_F(DeckSoil, MayTear) {
+  const auto torn = [](const std::string& first) {
+    return cube + ends + "*MAT_014\n1,1.8E-9," + first + "\n\n" + points;
+  };
+  EquationOfStateSettings expected = *material(soil(constants, "", points)).equation_of_state;
+  EXPECT_FALSE(expected.tears);
+  expected.tears = true;
+  EXPECT_EQ(*material(torn(constants)).equation_of_state, expected);
+  EXPECT_EQ(*material(torn(constants)).drucker_prager, *material(soil(constants, "", points)).drucker_prager);
+  const EquationOfStateSettings dry = *material(torn("80.,900.,100.,3.,0.3")).equation_of_state;
+  EXPECT_FALSE(dry.tears);
+  EXPECT_FALSE(dry.bears_tension);
+}
+
 TEST_F(DeckSoil, RefusesWhatIsNotDone) {
   EXPECT_THAT(error(soil(constants, "", "")), HasSubstr("expected 2 to 10 points EPS and P, or a curve LCID"));
   EXPECT_THAT(error(soil(constants, "", "-0.1,0.,0.1\n\n1.,0.,10.\n\n")), HasSubstr("eps1 to eps10"));

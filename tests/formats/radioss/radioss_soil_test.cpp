@@ -87,7 +87,7 @@ TEST_F(RadiossSoil, MayHaveAPolynomialThatCrushes) {
   EXPECT_EQ(eos.full_compaction, 0.4);
   EXPECT_EQ(eos.tension_limit, 2);
   EXPECT_EQ(*m.drucker_prager, (DruckerPragerSettings{100, 30, 0.3, INFINITY, 2})) << "none at the cutoff";
-  EXPECT_THAT(told(law10({0, 500, 300, 100}, -2, {900, 0.4})), Contains(HasSubstr("in Radioss C1")));
+  EXPECT_EQ(eos.elastic_compaction, 0) << "tension that it begins with has the modulus C1";
   // One of B and Mu_max is that of the slope at the other.
   EXPECT_NEAR(material(law10({0, 500, 400}, 0, {900, 0})).equation_of_state->full_compaction, 0.5, 1e-15);
   EXPECT_THAT(material(law10({0, 500, 400}, 0, {0, 0.5})).equation_of_state->unloading_modulus, ElementsAre(900));

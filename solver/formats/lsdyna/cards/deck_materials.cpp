@@ -5,6 +5,7 @@
 
 #include <solver/formats/lsdyna/layouts/rigid_cards.hpp>
 
+#include "deck_crushable_foam.hpp"
 #include "deck_elastic_laws.hpp"
 #include "deck_parts.hpp"
 #include "deck_plastic_laws.hpp"
@@ -42,7 +43,8 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_RIGID") return layout::rigid;
   if (kind == "MAT_JOHNSON_HOLMQUIST_CERAMICS") return layout::johnson_holmquist;
   if (kind == "MAT_NULL") return layout::null;
-  if (kind == "MAT_SOIL_AND_FOAM") return layout::soil;
+  if (kind == "MAT_SOIL_AND_FOAM" || kind == "MAT_SOIL_AND_FOAM_FAILURE") return layout::soil;
+  if (kind == "MAT_CRUSHABLE_FOAM") return layout::crushable_foam;
   if (kind == "MAT_MOONEY-RIVLIN_RUBBER") return layout::mooney_rivlin;
   if (kind == "MAT_ORTHOTROPIC_ELASTIC") return layout::orthotropic;
   if (kind == "MAT_POWER_LAW_PLASTICITY") return layout::power_law;
@@ -371,11 +373,12 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
     set_johnson_holmquist(data, f, cards, keys);
     return;
   }
-  if (kind == "MAT_SOIL_AND_FOAM") {
+  if (kind == "MAT_SOIL_AND_FOAM" || kind == "MAT_SOIL_AND_FOAM_FAILURE") {
     set_soil(data, block, f, cards, keys);
     return;
   }
   set_elasticity(f, keys);
+  if (kind == "MAT_CRUSHABLE_FOAM") set_crushable_foam(data, block, f, keys);
   if (kind == "MAT_PLASTIC_KINEMATIC") set_plastic_kinematic(data, block, f, cards, keys);
   if (kind == "MAT_SIMPLIFIED_JOHNSON_COOK") set_simplified_johnson_cook(data, f, cards, keys);
   if (kind == "MAT_POWER_LAW_PLASTICITY") set_power_law(data, block, f, cards, keys);

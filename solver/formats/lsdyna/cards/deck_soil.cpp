@@ -38,7 +38,7 @@ SoilCurve points_of_soil(std::vector<double> eps, std::vector<double> p, const D
                                  "got {} after {}",
                                  eps[count], eps[count - 1]));
   }
-  if (count < 2) fail_at(place, "*MAT_SOIL_AND_FOAM: expected 2 to 10 points EPS and P, or a curve LCID");
+  if (count < 2) fail_at(place, "eps1 to eps10: expected 2 to 10 points EPS and P, or a curve LCID");
   eps.resize(count);
   p.resize(count);
   return {eps, p};
@@ -109,6 +109,7 @@ void set_soil(DeckData& data, const KeywordBlock& block, const Fields& f, Cards&
   pressure.set("volume_strain", strain);
   pressure.set("pressure", curve.pressure);
   if (cutoff < 0) pressure.set("tension_limit", -cutoff);
+  if (cutoff < 0 && keyword_alias(block.name) == "MAT_SOIL_AND_FOAM_FAILURE") pressure.set("tears", true);
   if (cutoff == 0) pressure.set("bears_tension", false);
   if (vcr == 1) {
     data.report.unused(f.place(), block.star_name() + ": KUN", "with VCR 1 it goes back along the curve");

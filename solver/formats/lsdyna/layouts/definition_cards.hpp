@@ -194,6 +194,17 @@ inline constexpr CardLayout soil_pressures{number("P1"), number("P2"), number("P
                                            number("P5"), number("P6"), number("P7"), number("P8")};
 inline constexpr CardLayout soil_pressures_more{number("P9"), number("P10")};
 
+/// *MAT_063
+inline constexpr CardLayout crushable_foam{
+    material_id,
+    density,
+    young,
+    number("PR"),
+    whole("LCID").always(),
+    number("TSC").at_least(0),
+    number("DAMP").at_least(0),
+    whole("MODEL").rejected("leave it 0: principal stresses yield each by itself")};
+
 inline constexpr std::string_view of_a_test = "leave it blank, and give A and B: they are not fitted to a test";
 inline constexpr CardLayout mooney_rivlin{material_id,
                                           density,

@@ -88,6 +88,11 @@ void add_definitions(Table& table) {
                    "",
                    {&l::soil, &l::soil_options, &l::soil_strains, &l::soil_strains_more, &l::soil_pressures,
                     &l::soil_pressures_more}});
+  table.push_back({"MAT_SOIL_AND_FOAM_FAILURE",
+                   "",
+                   {&l::soil, &l::soil_options, &l::soil_strains, &l::soil_strains_more, &l::soil_pressures,
+                    &l::soil_pressures_more}});
+  table.push_back({"MAT_CRUSHABLE_FOAM", "", {&l::crushable_foam}});
   table.push_back({"MAT_JOHNSON_COOK",
                    "",
                    {&l::johnson_cook, &l::johnson_cook_strength, &l::johnson_cook_failure, &l::johnson_cook_more}});

@@ -9,6 +9,7 @@
 #include <solver/formats/radioss/layouts/radioss_material_cards.hpp>
 
 #include "radioss_brittle.hpp"
+#include "radioss_foam.hpp"
 #include "radioss_hardening.hpp"
 #include "radioss_keys.hpp"
 #include "radioss_rubber.hpp"
@@ -29,7 +30,7 @@ struct Beside {
 bool is_done_material(const std::string& name) {
   return name == "MAT/ELAST" || name == "MAT/RIGID" || name == "MAT/PLAS_JOHNS" || name == "MAT/HYD_JCOOK" ||
          name == "MAT/HYDPLA" || name == "MAT/PLAS_TAB" || name == "MAT/COWPER" || name == "MAT/OGDEN" ||
-         name == "MAT/JOHN_HOLM" || name == "MAT/DPRAG" || name == "MAT/DPRAG1";
+         name == "MAT/JOHN_HOLM" || name == "MAT/DPRAG" || name == "MAT/DPRAG1" || name == "MAT/FOAM_PLAS";
 }
 
 /// VP: 2 where it is 0.
@@ -200,11 +201,12 @@ void set_hydrodynamic(RadiossData& data, const RadiossBlock& block, RadiossLines
   keys.set("shear_modulus", e.number("E") / (2 * (1 + e.number("nu"))), "e, nu");
   const double cutoff = p.number("Pmin");
   if (beside.state_equation == nullptr) {
-    data.report.reject(block.place, block.title + " without an /EOS/GRUNEISEN or /EOS/POLYNOMIAL of its number",
+    data.report.reject(block.place,
+                       block.title + " without an /EOS/GRUNEISEN, /EOS/POLYNOMIAL or /EOS/COMPACTION of its number",
                        "give it one");
     return;
   }
-  keys.set("equation_of_state", given_radioss_state(*beside.state_equation, cutoff > -1e19 ? -cutoff : 0.0),
+  keys.set("equation_of_state", given_radioss_state(data, *beside.state_equation, cutoff > -1e19 ? -cutoff : 0.0),
            beside.state_equation->place.text());
   set_johnson_cook(data, l2.place, law, density, beside, keys);
 }
@@ -330,6 +332,7 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   if (block.name == "MAT/PLAS_TAB") set_plas_tab(data, block, lines, keys);
   if (block.name == "MAT/COWPER") set_cowper(data, block, lines, keys);
   if (block.name == "MAT/JOHN_HOLM") set_john_holm(data, block, lines, keys);
+  if (block.name == "MAT/FOAM_PLAS") set_foam_plas(data, block, lines, keys);
   if (block.name == "MAT/DPRAG") set_dprag(data, block, lines, keys);
   if (block.name == "MAT/DPRAG1") set_dprag1(data, block, lines, beside.state_equation, keys);
   if (rubber) set_ogden(data, block, lines, keys);

@@ -4,31 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <solver/formats/radioss/layouts/radioss_material_cards.hpp>
 
-namespace pinball {
+#include "radioss_foam.hpp"
 
-GivenValue given_radioss_state(const RadiossBlock& block, double tension_limit) {
-  RadiossLines lines(block);
-  const DataLine first = lines.require("the constants of the equation of state"), second = lines.next_or_blank();
-  InnerKeys<EquationOfStateSettings> keys;
-  if (block.name == "EOS/GRUNEISEN") {
-    const RadiossFields a(first, block, radioss::grueneisen), b(second, block, radioss::grueneisen_energy);
-    const double gamma = b.number("GAMMA_0"), slope = b.number("a");
-    keys.set("sound_speed", a.number("C"));
-    keys.set("slopes", a.point("S1"));
-    keys.set("gamma", gamma);
-    keys.set("gamma_slope", slope == 0 ? gamma : slope);
-  } else {
-    const RadiossFields a(first, block, radioss::polynomial), b(second, block, radioss::polynomial_energy);
-    keys.set("form", "polynomial");
-    keys.set("coefficients", std::vector{a.number("C0"), a.number("C1"), a.number("C2"), a.number("C3"), b.number("C4"),
-                                         b.number("C5"), 0.0});
-  }
-  if (tension_limit > 0) keys.set("tension_limit", tension_limit);
-  return keys.value();
-}
+namespace pinball {
 
 namespace {
 
@@ -101,6 +83,25 @@ SoilFunction soil_function(const RadiossData& data, std::int64_t id, double scal
   return function;
 }
 
+/// Along a function from 0 on, and back with moduli from `first` to `last` at mu = `most`; most 0: with the first
+/// alone.
+InnerKeys<EquationOfStateSettings> crushing_table(SoilFunction function, double first, double last, double most) {
+  if (most > 0) function.add(most);
+  std::vector<double> strain, moduli;
+  for (const double mu : function.mu) {
+    strain.push_back(0.0 - mu);
+    moduli.push_back(first + (last - first) * (most > 0 ? std::min(1.0, mu / most) : 0.0));
+  }
+  InnerKeys<EquationOfStateSettings> pressure;
+  pressure.set("form", "tabulated");
+  pressure.set("volume_measure", "density");
+  pressure.set("volume_strain", strain);
+  pressure.set("pressure", function.pressure);
+  pressure.set("unloading_modulus", most > 0 ? moduli : std::vector{first});
+  if (most > 0) pressure.set("full_compaction", most);
+  return pressure;
+}
+
 void set_linear_soil(const RadiossFields& e, double cutoff, const SoilKeys& keys) {
   InnerKeys<EquationOfStateSettings> pressure;
   pressure.set("form", "polynomial");
@@ -131,9 +132,7 @@ void set_polynomial_soil(RadiossData& data, const RadiossBlock& block, const Rad
   if (modulus > 0) {
     pressure.set("unloading_modulus", std::vector{modulus});
     if (most > 0) pressure.set("full_compaction", most);
-    if (modulus > c1)
-      data.report.understood(fmt::format("{} ({}): tension that it begins with has the modulus B, in Radioss C1",
-                                         block.title, block.place.text()));
+    pressure.set("elastic_compaction", 0.0);  // tension that it begins with has the modulus C1
   }
   if (c3 != 0)
     data.report.understood(
@@ -141,7 +140,60 @@ void set_polynomial_soil(RadiossData& data, const RadiossBlock& block, const Rad
   keys.set("equation_of_state", pressure.value(), "C1, C2, C3, P_min, B, Mu_max");
 }
 
+/// /EOS/COMPACTION2: in tension its function goes on below 0 as it begins.
+GivenValue given_compaction_by_function(RadiossData& data, const RadiossBlock& block, double tension_limit) {
+  RadiossLines lines(block);
+  const DataLine first = lines.require("P_fun_id"), second = lines.next_or_blank(), third = lines.next_or_blank();
+  const RadiossFields p(first, block, radioss::compaction_function), mu(second, block, radioss::compaction_moduli),
+      shift(third, block, radioss::compaction_shift);
+  const double least = mu.number("Mue_min"), most = mu.number("Mue_max"), modulus = mu.number("Bmax"),
+               scale = p.number("Xscale") == 0 ? 1.0 : p.number("Xscale"),
+               begin = p.integer("IFORM") == 1 ? modulus : mu.number("Bmin");
+  SoilFunction function = soil_function(data, p.integer("P_fun_id"), p.number("Fscale"),
+                                        std::numeric_limits<double>::infinity(), first.place);
+  for (double& one : function.mu) one /= scale;
+  if (data.function(p.integer("P_fun_id"), first.place).first.front() < 0)
+    data.report.understood(fmt::format("{} ({}): below 0 its function goes on as it begins above, in Radioss as given",
+                                       block.title, block.place.text()));
+  if (least > 0 && most > 0 && least >= most)
+    mu.fail("Mue_min", fmt::format("expected less than Mue_max = {:.6g}, got {:.6g}", most, least));
+  if (most == 0 && modulus != begin)
+    data.report.unused(second.place, block.title + ": Bmax", "without Mue_max it unloads with Bmin");
+  InnerKeys<EquationOfStateSettings> keys = crushing_table(function, begin, modulus, most);
+  if (tension_limit > 0) keys.set("tension_limit", tension_limit);
+  keys.set("elastic_compaction", least);
+  return keys.value();
+}
+
 }  // namespace
+
+GivenValue given_radioss_state(RadiossData& data, const RadiossBlock& block, double tension_limit) {
+  if (block.name == "EOS/COMPACTION") return given_compaction(data, block, tension_limit);
+  if (block.name == "EOS/COMPACTION2") return given_compaction_by_function(data, block, tension_limit);
+  RadiossLines lines(block);
+  const DataLine first = lines.require("the constants of the equation of state");
+  const DataLine second = block.name == "EOS/LINEAR" ? DataLine{} : lines.next_or_blank();
+  InnerKeys<EquationOfStateSettings> keys;
+  if (block.name == "EOS/GRUNEISEN") {
+    const RadiossFields a(first, block, radioss::grueneisen), b(second, block, radioss::grueneisen_energy);
+    const double gamma = b.number("GAMMA_0"), slope = b.number("a");
+    keys.set("sound_speed", a.number("C"));
+    keys.set("slopes", a.point("S1"));
+    keys.set("gamma", gamma);
+    keys.set("gamma_slope", slope == 0 ? gamma : slope);
+  } else if (block.name == "EOS/LINEAR") {
+    const RadiossFields a(first, block, radioss::linear_state);
+    keys.set("form", "polynomial");
+    keys.set("coefficients", std::vector{0.0, a.number("B"), 0.0, 0.0, 0.0, 0.0, 0.0});
+  } else {
+    const RadiossFields a(first, block, radioss::polynomial), b(second, block, radioss::polynomial_energy);
+    keys.set("form", "polynomial");
+    keys.set("coefficients", std::vector{a.number("C0"), a.number("C1"), a.number("C2"), a.number("C3"), b.number("C4"),
+                                         b.number("C5"), 0.0});
+  }
+  if (tension_limit > 0) keys.set("tension_limit", tension_limit);
+  return keys.value();
+}
 
 void set_dprag(RadiossData& data, const RadiossBlock& block, RadiossLines& lines, const SoilKeys& keys) {
   const DataLine l1 = lines.require("E and nu"), l2 = lines.require("A0, A1, A2 and Amax"),
@@ -157,25 +209,13 @@ void set_dprag(RadiossData& data, const RadiossBlock& block, RadiossLines& lines
   if (strength.has_no_root() && (cutoff == 0 || -cutoff < strength.least_at()))
     data.report.reject(l2.place, block.title + " whose strength has no root, and grows with tension",
                        fmt::format("give P_min >= {:.6g}, or A0 <= A1^2/(4 A2)", strength.least_at()));
-  SoilFunction function = soil_function(data, p.integer("func_IDf"), p.number("FscaleP"), tension, l3.place);
-  if (most > 0) function.add(most);
+  const SoilFunction function = soil_function(data, p.integer("func_IDf"), p.number("FscaleP"), tension, l3.place);
   keys.set("shear_modulus", shear_modulus(e), "e, nu");
   strength.set(keys);
-  std::vector<double> strain, moduli;
-  for (const double mu : function.mu) {
-    strain.push_back(0.0 - mu);
-    moduli.push_back(most > 0 ? tension + (modulus - tension) * std::min(1.0, mu / most) : tension);
-  }
   if (most == 0 && modulus != tension)
     data.report.understood(fmt::format("{} ({}): without Mu_max it unloads with Kt, and B has no effect", block.title,
                                        block.place.text()));
-  InnerKeys<EquationOfStateSettings> pressure;
-  pressure.set("form", "tabulated");
-  pressure.set("volume_measure", "density");
-  pressure.set("volume_strain", strain);
-  pressure.set("pressure", function.pressure);
-  pressure.set("unloading_modulus", most > 0 ? moduli : std::vector{tension});
-  if (most > 0) pressure.set("full_compaction", most);
+  InnerKeys<EquationOfStateSettings> pressure = crushing_table(function, tension, modulus, most);
   if (cutoff > 0) pressure.set("tension_limit", cutoff);
   keys.set("equation_of_state", pressure.value(), "func_IDf, FscaleP, Kt, P_min, B, Mu_max");
 }
@@ -200,7 +240,7 @@ void set_dprag1(RadiossData& data, const RadiossBlock& block, RadiossLines& line
     set_polynomial_soil(data, block, e, RadiossFields(l3, block, radioss::soil_polynomial),
                         RadiossFields(l5, block, radioss::soil_unloading), cutoff, keys);
   } else if (state != nullptr) {
-    keys.set("equation_of_state", given_radioss_state(*state, cutoff), state->place.text());
+    keys.set("equation_of_state", given_radioss_state(data, *state, cutoff), state->place.text());
   } else {
     set_linear_soil(e, cutoff, keys);
   }

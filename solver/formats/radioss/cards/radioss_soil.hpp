@@ -4,8 +4,9 @@
 
 namespace pinball {
 
-/// /EOS/GRUNEISEN or /EOS/POLYNOMIAL as a value of a key. tension_limit: 0: none [stress].
-GivenValue given_radioss_state(const RadiossBlock& block, double tension_limit);
+/// /EOS/GRUNEISEN, /EOS/POLYNOMIAL, /EOS/LINEAR or /EOS/COMPACTION(2) as a value of a key. tension_limit: 0: none
+/// [stress].
+GivenValue given_radioss_state(RadiossData& data, const RadiossBlock& block, double tension_limit);
 
 /// /MAT/DPRAG behind its density: a pressure over mu by a function, from which it comes back with moduli from Kt to B.
 void set_dprag(RadiossData& data, const RadiossBlock& block, RadiossLines& lines, const DeckKeys<Material>& keys);

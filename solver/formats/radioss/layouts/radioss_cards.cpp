@@ -72,6 +72,10 @@ void add_materials(Table& table) {
       {&r::density, &r::elasticity, &r::soil_strength, &r::soil_function, &r::soil_limits, &r::soil_unloading});
   add(table, "MAT/DPRAG1",
       {&r::density, &r::elasticity, &r::soil_strength, &r::soil_polynomial, &r::soil_limits, &r::soil_unloading});
+  add(table, "MAT/FOAM_PLAS", {&r::density, &r::foam_modulus, &r::foam_air, &r::foam_yield});
+  add(table, "EOS/COMPACTION", {&r::compaction, &r::compaction_unloading, &r::compaction_shift});
+  add(table, "EOS/COMPACTION2", {&r::compaction_function, &r::compaction_moduli, &r::compaction_shift});
+  add(table, "EOS/LINEAR", {&r::linear_state});
   add(table, "EOS/GRUNEISEN", {&r::grueneisen, &r::grueneisen_energy});
   add(table, "EOS/POLYNOMIAL", {&r::polynomial, &r::polynomial_energy});
   add(table, "FAIL/JOHNSON", {&r::fail_johnson, &r::fail_johnson_rate, &r::fail_johnson_points});

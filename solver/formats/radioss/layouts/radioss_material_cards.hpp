@@ -55,6 +55,12 @@ inline constexpr CardLayout soil_unloading{real("B").at_least(0), real("Mu_max")
 inline constexpr CardLayout soil_polynomial{real("C0").rejected("leave it 0: bodies press on nothing at the start"),
                                             real("C1").at_least(0), real("C2"), real("C3")};
 
+inline constexpr CardLayout foam_modulus{real("E").always(), whole("Ka").from(0, 2), whole("func_IDf"),
+                                         real("Fscale_curv")};
+inline constexpr CardLayout foam_air{real("P0").at_least(0), real("Phi").from(0, 1),
+                                     real("Gamma_0").rejected("leave it 0: bodies have the volume of their density")};
+inline constexpr CardLayout foam_yield{real("A"), real("B"), real("C"), real("SIG_COFF").at_least(0)};
+
 inline constexpr CardLayout tabulated_elasticity{real("E").always(), real("nu").always(),
                                                  real("Eps_p_max").rejected(no_deletion),
                                                  real("Eps_t").rejected("leave it 0: there is no damage by tension"),
@@ -116,6 +122,19 @@ inline constexpr CardLayout grueneisen_energy{real("GAMMA_0"), real("a"), real("
 inline constexpr CardLayout polynomial{real("C0"), real("C1").always(), real("C2"), real("C3")};
 inline constexpr CardLayout polynomial_energy{real("C4"), real("C5"), real("E0").rejected(at_rest),
                                               real("Psh").rejected(at_rest), real("RHO_0").rejected(at_rest)};
+
+inline constexpr CardLayout compaction{
+    real("C0").rejected(at_rest), real("C1").always(), real("C2"), real("C3"), blank(10), whole("IFORM").from(0, 2)};
+inline constexpr CardLayout compaction_unloading{real("Mue_min").at_least(0), real("Mue_max").at_least(0),
+                                                 real("B").always()};
+inline constexpr CardLayout compaction_function{blank(10), whole("P_fun_id").always(), real("Fscale"), real("Xscale"),
+                                                blank(30), whole("IFORM").from(0, 2)};
+inline constexpr CardLayout compaction_moduli{real("Mue_min").at_least(0), real("Mue_max").at_least(0),
+                                              real("Bmin").always(), real("Bmax").always()};
+inline constexpr CardLayout compaction_shift{real("PSH").rejected(at_rest), real("RHO_0").rejected(at_rest)};
+
+inline constexpr CardLayout linear_state{real("P0").rejected(at_rest), real("B").always(),
+                                         real("PSH").rejected(at_rest), real("RHO_0").rejected(at_rest)};
 
 inline constexpr CardLayout fail_johnson{real("D1"), real("D2"), real("D3"), real("D4"), real("D5")};
 inline constexpr CardLayout fail_johnson_rate{real("EPSILON_DOT_0"),
