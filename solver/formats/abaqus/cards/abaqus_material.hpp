@@ -20,9 +20,19 @@ struct AbaqusMaterial {
 
   /// Options of a material stand once, but for *PLASTIC at another rate.
   void add(const AbaqusBlock& block) {
-    static const std::set<std::string> once{
-        "DENSITY", "ELASTIC",   "PLASTIC",      "RATEDEPENDENT",         "SHEARFAILURE", "HYPERELASTIC",
-        "DAMPING", "EXPANSION", "SPECIFICHEAT", "INELASTICHEATFRACTION", "CONDUCTIVITY"};
+    static const std::set<std::string> once{"DENSITY",
+                                            "ELASTIC",
+                                            "PLASTIC",
+                                            "RATEDEPENDENT",
+                                            "SHEARFAILURE",
+                                            "HYPERELASTIC",
+                                            "DAMPING",
+                                            "EXPANSION",
+                                            "SPECIFICHEAT",
+                                            "INELASTICHEATFRACTION",
+                                            "CONDUCTIVITY",
+                                            "DRUCKERPRAGER",
+                                            "DRUCKERPRAGERHARDENING"};
     const std::string rate = block.name == "PLASTIC" ? fmt::format(" at the rate {}", block.number("RATE", 0.0)) : "";
     if (!once.contains(block.name)) return;
     given.add(block.star_name() + rate + " of one material", block.place);
@@ -64,6 +74,9 @@ void set_orthotropic_elasticity(AbaqusData& data, const WrittenMaterial& materia
                                 MaterialKeys keys);
 /// orthotropic: keys of the materials that have axes.
 void tell_unused_orientations(AbaqusData& data, const std::set<std::string>& orthotropic);
+
+/// *DRUCKER PRAGER, with *ELASTIC beside it.
+void set_drucker_prager(AbaqusData& data, const WrittenMaterial& material, const AbaqusBlock& block, MaterialKeys keys);
 
 /// PLASTIC, HARDENING=JOHNSON COOK, with RATE DEPENDENT of the same law.
 void set_johnson_cook(AbaqusData& data, const WrittenMaterial& material, const MaterialKeys& keys);

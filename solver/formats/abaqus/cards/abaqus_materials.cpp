@@ -232,12 +232,17 @@ double mass_factor(AbaqusData& data) {
 void write_material(AbaqusData& data, const WrittenMaterial& material, DeckScene& scene) {
   const DataLine card = only_card(required(material.deck, "DENSITY", "*DENSITY"), "the density");
   const double density = DataFields(card).number(0, "density");
-  const AbaqusBlock* plastic = material.deck.option("PLASTIC");
+  const AbaqusBlock *plastic = material.deck.option("PLASTIC"), *soil = material.deck.option("DRUCKERPRAGER");
   auto keys = scene.entry<Material>("material", {"*MATERIAL", material.deck.head->place});
   keys.set("name", data.material_name(material.key));
-  keys.set("model", plastic != nullptr ? "von_mises" : "elastic");
+  keys.set("model", plastic != nullptr || soil != nullptr ? "von_mises" : "elastic");
   keys.from({"*DENSITY", card.place});
   keys.set("density", material.mass_factor * density);
+  if (soil != nullptr) {
+    set_drucker_prager(data, material, *soil, keys);
+    tell_heat(data, material, density);
+    return;
+  }
   set_elasticity(data, material, density, keys);
   if (plastic != nullptr) {
     keys.from(card_of(*plastic, plastic->place));

@@ -59,6 +59,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"PLASTIC", done,
        "table, also for several RATEs; KINEMATIC of two points; JOHNSON COOK, softening where the step is ADIABATIC",
        "HARDENING=ISOTROPIC|KINEMATIC|JOHNSONCOOK RATE"},
+      {"DRUCKER PRAGER", done, "LINEAR, with K 1 and a dilation angle of 0", "SHEARCRITERION=LINEAR"},
+      {"DRUCKER PRAGER HARDENING", done, "of one stress, which stays", "TYPE=COMPRESSION|TENSION|SHEAR"},
       {"RATE DEPENDENT", done, "POWER LAW (Cowper-Symonds), YIELD RATIO, JOHNSON COOK",
        "TYPE=POWERLAW|YIELDRATIO|JOHNSONCOOK"},
       {"SHEAR FAILURE", done, "a constant strain at which elements are eroded", "ELEMENTDELETION=YES"},

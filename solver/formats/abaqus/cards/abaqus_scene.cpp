@@ -64,6 +64,8 @@ std::string rejected_data(const AbaqusBlock& block) {
       (is_isotropic && depends_on_more(block, 2, true)) ||
       (name == "HYPERELASTIC" && depends_on_more(block, block.has("NEOHOOKE") ? 2 : 3, true)) ||
       (is_johnson_cook && depends_on_more(block, 6, true)) ||
+      (name == "DRUCKERPRAGER" && depends_on_more(block, 3, true)) ||
+      (name == "DRUCKERPRAGERHARDENING" && depends_on_more(block, 2, false)) ||
       ((name == "PLASTIC" || name == "RATEDEPENDENT") && !is_johnson_cook && depends_on_more(block, 2, false));
   if (depends) return block.star_name() + " that depends on temperature or fields";
   if (name == "HYPERELASTIC" && !block.has("NEOHOOKE") && !block.has("MOONEY-RIVLIN"))
