@@ -57,8 +57,8 @@ class ContactStage {
   /// impulse_nodes(), by what stops them afterwards.
   ContactWork after_constraints(Model<S>& model, const StepLengths& step, std::span<const NodeBound> bounds,
                                 Timers& timers);
-  /// Whether bounds have rubbed these; then, when walls have acted.
-  bool was_rubbed() const { return acts_on_velocities() && contact_->was_rubbed(); }
+  /// Whether there were bounds of nodes that it pushes; then, when walls have acted.
+  bool was_bounded() const { return acts_on_velocities() && contact_->was_bounded(); }
   void follow_bounds(Model<S>& model, const StepLengths& step) {
     show_impulse_nodes();
     contact_->follow_bounds(ModelSurface<S>(model), step);

@@ -293,7 +293,7 @@ void Solver<S>::wall_reactions(const Due& due) {
     }
     boundary_.count_work(space_->nodes(NodeNumbers::none), clock_.lengths());
   });
-  if (contact_.was_rubbed()) {
+  if (contact_.was_bounded()) {
     timers_.measure(Phase::contact_forces, [&] { contact_.follow_bounds(model_, clock_.lengths()); });
   }
 }

@@ -129,8 +129,8 @@ class ContactAlgorithm {
   /// constraints. bounds: what will stop nodes of impulse_nodes() after that, in their order.
   ContactWork after_constraints(const SurfaceSource<S>& source, const StepLengths& step,
                                 std::span<const NodeBound> bounds = {});
-  /// Whether nodes to which it added are rubbed by what stops them: then their work is known when that has been done.
-  bool was_rubbed() const { return impulses_ && impulses_->was_rubbed(); }
+  /// Whether something stops nodes to which it added: then their work is known when that has been done.
+  bool was_bounded() const { return impulses_ && impulses_->was_bounded(); }
   /// Then. step: of after_constraints.
   void follow_bounds(const SurfaceSource<S>& source, const StepLengths& step) {
     impulses_->follow_bounds(source, step);

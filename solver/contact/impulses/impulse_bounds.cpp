@@ -18,7 +18,7 @@ template <class S>
 void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) {
   contacts_ = rows_.size();
   bound_friction_.clear();
-  rubbed_.clear();
+  bounded_.clear();
   rubs_ = has_friction_;
   if (contacts_ == 0 || !(dt > 0)) return;
   double fastest = 0;
@@ -36,9 +36,9 @@ void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) 
     pair.depth = pair.seen = 0 - bound.gap;
     pair.rate_before = bound.rate;
     bound_friction_.push_back(bound.friction);
+    bounded_.push_back(place);
     if (bound.friction > 0) {
       rubs_ = true;
-      rubbed_.push_back(place);
       std::copy(bound.sliding.begin(), bound.sliding.end(), pair.sliding_before);
     }
     const std::int64_t second = first_bound - bound.wall;
@@ -48,8 +48,8 @@ void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) 
     pair.memory.first = bound.node;
     pair.memory.second = second;
   }
-  std::sort(rubbed_.begin(), rubbed_.end());
-  rubbed_.erase(std::unique(rubbed_.begin(), rubbed_.end()), rubbed_.end());
+  std::sort(bounded_.begin(), bounded_.end());
+  bounded_.erase(std::unique(bounded_.begin(), bounded_.end()), bounded_.end());
 }
 
 template <class S>
@@ -65,7 +65,7 @@ void ImpulseSolver<S>::drop_bounds() {
 template <class S>
 void ImpulseSolver<S>::follow_bounds(const SurfaceSource<S>& source, const StepLengths& step) {
   const double velocity_step = step.velocity();
-  for (const std::int32_t place : rubbed_) {
+  for (const std::int32_t place : bounded_) {
     const std::int32_t n = node_[place];
     const Vec3<double> force = system_.impulse_at(place, row_vector_.data());  // taken from that of the node
     const Vec3<double> after =

@@ -103,8 +103,8 @@ class ImpulseSolver {
   /// the contact have in held directions is for them to take up again. bounds: of these nodes. They are rows of the
   /// system, too, but give no forces: that is for those to do who stop the nodes, when contact has given its own.
   ImpulseResult solve(const SurfaceSource<S>& source, const StepLengths& step, std::span<const NodeBound> bounds = {});
-  /// Whether there were bounds that rub.
-  bool was_rubbed() const { return !rubbed_.empty(); }
+  /// Whether there were bounds.
+  bool was_bounded() const { return !bounded_.empty(); }
   /// Then, when all forces on the nodes are known: counts the work of the impulses with the velocities that nodes have
   /// with these, which may differ from those of solve() by what it does not know of bounds. step: of solve().
   void follow_bounds(const SurfaceSource<S>& source, const StepLengths& step);
@@ -223,7 +223,7 @@ class ImpulseSolver {
   std::vector<double> slid_;            ///< how fast in the step just made, one per row with friction [length/time]
   std::size_t contacts_ = 0;            ///< rows before those of bounds
   std::vector<double> bound_friction_;  ///< mu, one per row of a bound [-]
-  std::vector<std::int32_t> rubbed_;    ///< places of the nodes that have a bound with friction, ascending
+  std::vector<std::int32_t> bounded_;   ///< places of the nodes that have a bound, ascending
   std::vector<std::int32_t> active_;    ///< rows that take part
   RowSystem system_;                    ///< of the active rows
   ImpulseIterations iterations_;

@@ -27,7 +27,9 @@ Scene overhang(double lean, double over, int elements, double friction) {
   return scene;
 }
 
+/// Projection left it by up to 27 % while its work was counted with velocities from before walls have acted.
 TEST_P(WallTrial, NodesBetweenABodyAndAWallKeepTheBalance) {
+  also_holds({"pinball_projection_face"});
   struct Case {
     double lean, over;
     int elements;
@@ -38,19 +40,20 @@ TEST_P(WallTrial, NodesBetweenABodyAndAWallKeepTheBalance) {
       Solver<double> solver(with_contact(overhang(c.lean, c.over, c.elements, 0), GetParam()));
       return worst_balance_of_run(solver);
     });
-    at_most(trial + ", balance", balance, 1e-3);
+    at_most(trial + ", balance", balance, 5e-5);
   }
 }
 
 /// The wall may also come to the bodies.
 TEST_P(WallTrial, NodesBetweenABodyAndAWallThatMovesKeepTheBalance) {
+  also_holds({"pinball_projection_face"});
   Scene scene = overhang(1, 0.5, 3, 0);
   scene.rigid_walls[0].speed = 2;
   const double balance = run_of("moving wall", [&] {
     Solver<double> solver(with_contact(scene, GetParam()));
     return worst_balance_of_run(solver);
   });
-  at_most("overhang on a wall that moves, balance", balance, 2e-3);
+  at_most("overhang on a wall that moves, balance", balance, 5e-5);
 }
 
 // ---- Friction at the wall -------------------------------------------------------------------------------------------
