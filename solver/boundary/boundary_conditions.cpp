@@ -80,7 +80,7 @@ void BoundaryConditions<S>::set_present(Model<S>& model, double time) {
 
 template <class S>
 void BoundaryConditions<S>::persist(StateArchive& archive, Model<S>& model) {
-  archive(done_, last_, changed_, stopped_, leap_);
+  archive(done_, last_, changed_, stopped_);
   std::vector<Point> forces;
   if (!archive.reads()) forces = named_forces(model);
   archive(forces);

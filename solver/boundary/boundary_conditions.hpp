@@ -77,24 +77,31 @@ class BoundaryConditions {
   /// Reading gives the model the constraints and prescribed velocities of the state, which are no part of it.
   void persist(StateArchive& archive, Model<S>& model);
   const std::vector<WallResult>& walls() const { return walls_.results(); }
-  /// Largest change of velocity that nodes undergo at once: at the start by what moves or holds them; by a wall in the
-  /// two steps after `time`, and by what moves them in these or in the step just made [length/time].
-  double jump_at_start() const { return motions_.jump_at_start(); }
-  double closing(double time, double dt) const {
-    return std::max({walls_.closing(), motions_.jump(time - dt, time + 2 * dt), leap_});
+  // Leaps: largest change of velocity that nodes undergo at once [length/time].
+
+  /// At the start, by what moves or holds them.
+  double leap_at_start() const { return motions_.leap_at_start(); }
+  /// The same with the mean velocities over the first step, of length dt.
+  double leap_at_start(const Model<S>& model, double dt) const {
+    return motions_.leap_of(model, {model.constraints, model.prescribed}, 0, {0, dt});
+  }
+  /// By walls, to which nodes come within two steps.
+  double closing() const { return walls_.closing(); }
+  /// By motions and walls that act, from the step before `time` to that from `later` on.
+  double leap(double time, double later, const StepLengths& step) const {
+    return std::max(motions_.leap(time, later, step), walls_.leap(time, later, step));
+  }
+  /// Whether constraints, motions or walls begin or end by `to` that did not at `from`; then leap_of_begun() has to see
+  /// the model.
+  bool changes(double from, double to) const { return past(to) != changed_ || walls_.begin(from, to); }
+  double leap_of_begun(const Model<S>& model, double from, double time, double to, double dt) const {
+    const double of_walls = walls_.leap_of_begun(model, from, time, to, dt);
+    if (past(to) == changed_) return of_walls;
+    return std::max(of_walls, motions_.leap_of(model, held_nodes(model, to), to, {dt, dt}));
   }
   /// Kinetic energy that constraints have taken as they began, since the last call; not by forces, so that nobody else
   /// knows of it [energy].
   double take_stopped() { return std::exchange(stopped_, 0.0); }
-  /// After a step from `time` on: whether constraints or motions begin or end before the second step from now is over.
-  /// look_ahead() then has to see the model, so that closing() knows what they will stop or throw.
-  bool changes_soon(double time, double dt) const { return past(time + 3 * dt) != changed_; }
-  void look_ahead(const Model<S>& model, double time, double dt) {
-    leap_ = motions_.leap_of(model, held_nodes(model, time + 3 * dt), time + 3 * dt, {dt, dt});
-  }
-  void nothing_is_ahead() { leap_ = 0; }
-  /// The same, of what moves nodes, as the coming step begins.
-  double jump(double time, const StepLengths& step) const { return motions_.jump_now(time, step); }
   std::vector<PressureResult> pressures() const { return pressures_.results(); }
   /// What constraints, prescribed velocities and accelerations with a name exert on the nodes in the step just made, by
   /// name: the mean over the steps of the cycle, in one of which a large element gives a constraint the impulse of
@@ -123,7 +130,6 @@ class BoundaryConditions {
   std::vector<double> changes_;  ///< when constraints or prescribed velocities begin or end, in order
   std::uint64_t changed_ = 0;    ///< how many of them are past
   double stopped_ = 0;           ///< see take_stopped() [energy]
-  double leap_ = 0;              ///< change of velocities by those that come [length/time]
   std::unique_ptr<const BoundaryKernels<S>> kernels_;
   std::vector<Load> loads_;
   Array<S> host_forces_;                          ///< empty until asked for [force]

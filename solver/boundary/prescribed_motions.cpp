@@ -51,15 +51,17 @@ double mean_factor(const TimeTable& table, MotionQuantity quantity, double time,
   return step.before > 0 ? (table.value(time) - table.value(time - step.before)) / step.before : 0.0;
 }
 
-double factor_change(const TimeTable& table, double time, const StepLengths& step) {
-  const double now = mean_factor(table, MotionQuantity::acceleration, time, step);
-  if (!(step.before > 0)) return now - table.integral(time);
-  return now - mean_factor(table, MotionQuantity::acceleration, time - step.before, {0, step.before});
+double factor_change(const TimeTable& table, MotionQuantity quantity, double time, double later,
+                     const StepLengths& step) {
+  const double then = mean_factor(table, quantity, later, step);
+  if (step.before > 0) return then - mean_factor(table, quantity, time - step.before, {0, step.before});
+  if (quantity == MotionQuantity::acceleration) return then - table.integral(time);
+  return then - mean_factor(table, quantity, time, step);
 }
 
 template <class S>
 PrescribedMotions::PrescribedMotions(const Model<S>& model) : given_(model.scene.prescribed_velocities) {
-  jump_at_start_ = leap_of(model, {model.constraints, model.prescribed}, 0, {});
+  leap_at_start_ = leap_of(model, {model.constraints, model.prescribed}, 0, {});
   for (const NodeConstraint<S>& held : model.constraints) {
     const double speed = along(model, held.node, held.normal);
     stopped_at_start_ += 0.5 * model.node_mass[held.node] * speed * speed;
@@ -90,29 +92,13 @@ std::vector<double> PrescribedMotions::factors(double time, const StepLengths& s
   return found;
 }
 
-double PrescribedMotions::jump(double from, double to) const {
+double PrescribedMotions::leap(double time, double later, const StepLengths& step) const {
   double largest = 0;
   for (const PrescribedVelocity& given : given_) {
-    if (!given.when.contains(to)) continue;
-    const StepLengths step{to - from, to - from};
-    if (!accelerates(given) && !given.when.contains(from)) continue;
-    const double change = mean_factor(given, to, step) - mean_factor(given, from, step);
-    largest = std::max(largest, norm(given.velocity) * std::abs(change));
-  }
-  return largest;
-}
-
-double PrescribedMotions::jump_now(double time, const StepLengths& step) const {
-  double largest = 0;
-  for (const PrescribedVelocity& given : given_) {
-    if (!given.when.contains(time)) continue;
-    double change = 0;
-    if (accelerates(given)) {
-      change = factor_change(given.table, time, step);
-    } else {
-      change = mean_factor(given, time, step);
-      if (given.when.contains(time - step.before)) change -= mean_factor(given, time - step.before, {0, step.before});
-    }
+    if (!given.when.contains(later)) continue;
+    if (!accelerates(given) && !given.when.contains(time - step.before)) continue;
+    const double from = std::max(time, std::min(later, given.when.start));
+    const double change = factor_change(given.table, given.quantity, from, later, step);
     largest = std::max(largest, norm(given.velocity) * std::abs(change));
   }
   return largest;

@@ -1,6 +1,7 @@
 #include "rigid_walls.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pinball {
 
@@ -86,6 +87,19 @@ void RigidWalls<S>::apply(const NodeArrays<S>& nodes, double time, const StepLen
     }
     react(nodes, wall, result, time, step);
   }
+}
+
+template <class S>
+double RigidWalls<S>::leap(double time, double later, const StepLengths& step) const {
+  double largest = 0;
+  for (const Wall& wall : walls_) {
+    if (!wall.motion.moves() || wall.motion.is_pushed()) continue;
+    if (!wall.when.contains(time - step.before) || !wall.when.contains(later)) continue;
+    const double before = step.before > 0 ? wall.motion.given_velocity(time - step.before, {0, step.before})
+                                          : wall.motion.given_velocity(time, step);
+    largest = std::max(largest, std::abs(wall.motion.given_velocity(later, step) - before));
+  }
+  return largest;
 }
 
 template <class S>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -56,6 +57,15 @@ class RigidWalls {
 
   /// Fastest of the nodes that will come to a wall in a step like the last one [length/time].
   double closing() const { return closing_; }
+  /// Largest change of the velocity of walls that move as given, from the step before `time` to that from `later` on
+  /// [length/time].
+  double leap(double time, double later, const StepLengths& step) const;
+  /// Whether any begins to act after `from` and by `to`; and the fastest at which nodes will come to these walls within
+  /// the steps, of length dt, that begin by `to`, if they go on as they do at `time` [length/time].
+  bool begin(double from, double to) const {
+    return std::ranges::any_of(walls_, [=](const Wall& wall) { return begins(wall, from, to); });
+  }
+  double leap_of_begun(const Model<S>& model, double from, double time, double to, double dt) const;
 
   void persist(StateArchive& archive) {
     for (WallResult& wall : results_)
@@ -73,6 +83,9 @@ class RigidWalls {
     std::unique_ptr<WallKernels<S>> nodes;
     std::vector<std::uint8_t> takes;  ///< per node of the store, whether it is one of these; empty without contact
   };
+  static bool begins(const Wall& wall, double from, double to) {
+    return wall.when.start > std::max(0.0, from) && wall.when.start <= to;
+  }
   static Wall wall_of(const Model<S>& model, const RigidWall& given, const BoundaryKernels<S>& kernels);
   static void stand_back(const Model<S>& model, const RigidWall& given, WallPlane<S>& plane);
   void react(const NodeArrays<S>& nodes, Wall& wall, WallResult& result, double time, const StepLengths& step);

@@ -142,8 +142,35 @@ void RigidWalls<S>::take_held_directions(const Model<S>& model) {
   }
 }
 
+/// Of a wall that ends the nodes that have gone past it are none.
+template <class S>
+double RigidWalls<S>::leap_of_begun(const Model<S>& model, double from, double time, double to, double dt) const {
+  double fastest = 0;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const Wall& wall = walls_[w];
+    if (!begins(wall, from, to)) continue;
+    const double start = std::max(time, wall.when.start);
+    double speed = 0;
+    if (wall.motion.moves())
+      speed = wall.motion.is_pushed() ? results_[w].velocity : wall.motion.given_velocity(start, {0, dt});
+    const S* const normal = wall.plane.normal;
+    for (const std::int32_t n : nodes_behind(model.mesh, model.scene.rigid_walls[w])) {
+      const std::int32_t node = model.node_of_scene_node[n];
+      const S* const v = model.nodes.velocity_of(node);
+      const double rate = normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2];
+      const double height = wall_height(wall.plane, model.nodes.position_of(node)) - results_[w].displacement;
+      const double then = height + rate * (start - time), closing = speed - rate;
+      const bool is_past = then < -wall.plane.past - std::abs(rate) * dt;
+      if (!is_past && then < closing * (to - start + 2 * dt)) fastest = std::max(fastest, closing);
+    }
+  }
+  return fastest;
+}
+
 template RigidWalls<double>::RigidWalls(const Model<double>&, const BoundaryKernels<double>&);
 template RigidWalls<float>::RigidWalls(const Model<float>&, const BoundaryKernels<float>&);
+template double RigidWalls<double>::leap_of_begun(const Model<double>&, double, double, double, double) const;
+template double RigidWalls<float>::leap_of_begun(const Model<float>&, double, double, double, double) const;
 template void RigidWalls<double>::take_held_directions(const Model<double>&);
 template void RigidWalls<float>::take_held_directions(const Model<float>&);
 

@@ -136,6 +136,8 @@ class Subdomain final : public SharedNodes {
   /// On rank 0, and in a step on all ranks, the state of the whole model, where steps have changed it. Elsewhere this
   /// does nothing.
   void bring_back(Model<S>& model);
+  /// In a step: what was brought back is about to change.
+  void go_on() { is_whole_ = false; }
   void send_state(Model<S>& model);  ///< at RankOrder::state
   void state_was_read(Model<S>& model);
 

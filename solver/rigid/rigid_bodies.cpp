@@ -82,12 +82,12 @@ void RigidBodies<S>::choose_given(Body& body, double time) const {
 }
 
 template <class S>
-double RigidBodies<S>::given_speed(const Body& body, const RigidMotion& motion, double time,
+double RigidBodies<S>::given_speed(const Body& body, const RigidMotion& motion, double time, double later,
                                    const StepLengths& step) const {
   const double most = motion.axis ? motion.angular_speed : motion.speed;
   if (motion.quantity != MotionQuantity::acceleration)
-    return most * mean_factor(motion.table, motion.quantity, time, step);
-  return most * factor_change(motion.table, time, step) + present_speed(body.motion, motion);
+    return most * mean_factor(motion.table, motion.quantity, later, step);
+  return most * factor_change(motion.table, motion.quantity, time, later, step) + present_speed(body.motion, motion);
 }
 
 template <class S>
@@ -96,20 +96,26 @@ void RigidBodies<S>::set_speeds(Body& body, double time, const StepLengths& step
   for (const std::size_t m : body.given_by) {
     const RigidMotion& motion = motions_[m];
     double& speed = motion.axis ? body.given.angular_speeds[about++] : body.given.speeds[along++];
-    speed = given_speed(body, motion, time, step);
+    speed = given_speed(body, motion, time, time, step);
   }
 }
 
 template <class S>
-double RigidBodies<S>::jump(double time, const StepLengths& step) const {
+double RigidBodies<S>::leap(double time, double later, const StepLengths& step) const {
   double largest = 0;
   for (const Body& body : bodies_) {
-    double along = 0, about = 0;
-    for (const std::size_t m : body.given_by) {
-      const double change = given_speed(body, motions_[m], time, step) - present_speed(body.motion, motions_[m]);
-      (motions_[m].axis ? about : along) += std::abs(change);
+    const Point &v = body.motion.state().velocity, &w = body.motion.angular_velocity();
+    double along = 0, about = 0;  // squares
+    const auto add = [](double& squares, double change) { squares += change * change; };
+    for (const Point& held : body.held.along) add(along, dot(v, held));
+    for (const Point& held : body.held.about) add(about, dot(w, held));
+    for (const std::size_t m : body.motions) {
+      const RigidMotion& motion = motions_[m];
+      if (!motion.when.contains(later)) continue;
+      const double from = std::max(time, std::min(later, motion.when.start)), now = present_speed(body.motion, motion);
+      add(motion.axis ? about : along, given_speed(body, motion, from, later, step) - now);
     }
-    largest = std::max(largest, along + about * body.radius);
+    largest = std::max(largest, std::sqrt(along) + std::sqrt(about) * body.radius);
   }
   return largest;
 }

@@ -55,8 +55,10 @@ class RigidBodies {
   void put_velocities(Model<S>& model) const;
   /// dt: the step just made.
   void begin_step(double time, double dt);
-  /// Largest change of velocity that given motions are about to give to nodes of bodies [length/time].
-  double jump(double time, const StepLengths& step) const;
+  /// Largest change of velocity that what holds and moves bodies gives to their nodes in the step from `later` on: from
+  /// the velocities that they have, of accelerations by as much as these change from the step before `time`
+  /// [length/time].
+  double leap(double time, double later, const StepLengths& step) const;
   /// Forces of all on the nodes become those of the common motion; once more where contact has added some since.
   void share_forces(Model<S>& model, double time, const StepLengths& step);
   /// After the integration: puts the nodes where their bodies go.
@@ -115,7 +117,8 @@ class RigidBodies {
   void keep_joints(Model<S>& model, bool of_start);
   std::vector<JointedBody> jointed() const;
   RowTensor way_ahead(const Body& body, const StepLengths& step) const;
-  double given_speed(const Body& body, const RigidMotion& motion, double time, const StepLengths& step) const;
+  double given_speed(const Body& body, const RigidMotion& motion, double time, double later,
+                     const StepLengths& step) const;
   void set_speeds(Body& body, double time, const StepLengths& step) const;
   void sum_forces(const Model<S>& model, Body& body) const;
   void put_forces(Model<S>& model, const Body& body) const;

@@ -50,6 +50,8 @@ class ChangedVelocities {
     });
     return work;
   }
+  /// Since begin(): v' - v, in records of four.
+  const S* changes() const { return other_.data(); }
   /// force: those of elements and springs, in records of four. Returns the second part [energy].
   double end(const S* force, double dt) {
     double power = 0;

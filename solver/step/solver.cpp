@@ -83,6 +83,7 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
   }
   require_built(model_, boundary_.any());
   const SmallestStep smallest = check_against_steps(model_.scene, model_.mesh, clock_.longest_impact_step());
+  smallest_step_ = smallest.step;
   clock_.expect_impacts(smallest.rate_of_closing);
   many_steps_ = find_many_steps(model_.scene, model_.mesh, smallest);
   near_nodes_ = find_near_nodes(model_.scene, model_.mesh);
@@ -111,6 +112,7 @@ void Solver<S>::make_cycle(bool last) {
   if (changed_velocities_.any() && clock_.steps() == 0) take_first_velocities();
   const bool first = clock_.steps() == 0;
   const std::int32_t cycle_steps = first ? 1 : schedule_.cycle_steps();
+  if (!last) look_ahead(first);
   for (std::int32_t step = 1; step < cycle_steps; ++step) make_step({step, false, false});
   make_step({0, first, last});
 }
@@ -185,6 +187,7 @@ ContactWork Solver<S>::update_ties() {
     contact_.set_ties(tied_.nodes(), true);
   });
   work.dissipated = tied_.take_lost_energy();
+  given_leap_.join({0, work.dissipated});
   return work;
 }
 
@@ -197,18 +200,6 @@ ContactWork Solver<S>::contact_before_constraints(const Due& due, const Internal
   return work;
 }
 
-/// What may touch in the coming step is looked for before its length is known, and before motions change velocities.
-template <class S>
-ComingStep Solver<S>::coming_step(const Due& due, const InternalForceResult<S>& element) const {
-  ComingStep coming;
-  const double time = clock_.time(), before = clock_.dt();
-  if (due.first) coming.dt = clock_.first_step(element.time_step);
-  const StepLengths step{before, std::max(before, coming.dt)};
-  coming.leap = std::max(due.first ? boundary_.jump_at_start() : boundary_.jump(time, step), rigid_.jump(time, step));
-  coming.stops = boundary_.changes(time);
-  return coming;
-}
-
 /// The last word on tied nodes: whatever constraints, walls and planes of symmetry do, they do to the corners.
 template <class S>
 void Solver<S>::follow_ties() {
@@ -217,19 +208,6 @@ void Solver<S>::follow_ties() {
     space_->show(NodeNumbers::motion);
     tied_.follow(model_);
     space_->take(NodeNumbers::motion);
-  });
-}
-
-/// The largest step that elements, contact and rigid bodies allow, for the whole cycle.
-template <class S>
-void Solver<S>::choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs) {
-  timers_.measure(Phase::time_step, [&] {
-    StepBound bound = schedule_.bound(model_, due, internal_forces_.tiles(), element.time_step, element.time_step_slot,
-                                      springs.frequency2);
-    if (rigid_.any()) bound.longest = rigid_.longest_step();
-    clock_.choose(due, bound,
-                  due.first ? std::max(model_.look.closing_speed, boundary_.jump_at_start())
-                            : std::max(springs.expected_change, boundary_.closing(clock_.time(), clock_.dt())));
   });
 }
 
@@ -345,8 +323,8 @@ void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& elem
   if (!due.all()) return;
   if (due.first) ledger_.set_drift(drift_energy(model_, initial_momentum_), rounding<S>, energy_at_rest(model_));
   ledger_.close(due.first, motion.kinetic);
-  clock_.take_change(motion.change + boundary_.take_stopped(), ledger_.in_motion());
-  look_ahead_of_constraints();
+  clock_.take_change(motion.change + boundary_.take_stopped() + std::exchange(given_leap_, {}).energy,
+                     ledger_.in_motion());
   watch_energies();
   guards_.check_energy(ledger_);
   guards_.check_time_step();

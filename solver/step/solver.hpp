@@ -32,6 +32,7 @@
 #include "run_counts.hpp"
 #include "step_clock.hpp"
 #include "tied_stage.hpp"
+#include "unequal_velocities.hpp"
 
 namespace pinball {
 
@@ -70,7 +71,7 @@ class Solver {
   const ModelMesh& mesh() const { return model_.mesh; }
   const Look& look() const { return model_.look; }
   /// Of the fastest impact that is expected, with a body, a wall, or what holds or moves a body's end [length/time].
-  double impact_speed() const { return std::max(look().impact_speed, boundary_.jump_at_start()); }
+  double impact_speed() const { return std::max(look().impact_speed, boundary_.leap_at_start()); }
   std::int64_t element_count() const { return model_.element_count(); }
   /// Of a run on a device the mirror on the host, of one on several ranks the whole of it, brought up to date: the
   /// state is copied where the last steps have changed it.
@@ -169,7 +170,9 @@ class Solver {
   void boundary_forces(const Due& due);
   void hold(const Due& due);
   void follow_constraints();
-  void look_ahead_of_constraints();
+  void look_ahead(bool first);
+  double leap_of_motions(const StepLengths& step, int ahead) const;
+  double leap(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
   void share_rigid_forces();
   ContactWork contact_after_constraints(const Due& due);
   void wall_reactions(const Due& due);
@@ -211,6 +214,9 @@ class Solver {
   std::string unstable_hourglass_, many_steps_;
   double sound_swallowing_ = 0;
   ChangedVelocities<S> changed_velocities_;
+  double smallest_step_ = 0;      ///< stable, of all elements at the start [time]
+  double leap_of_begun_ = 0;      ///< see look_ahead() [length/time]
+  UnequalVelocities given_leap_;  ///< that the run begins with in this step, or that a host has given
 };
 
 }  // namespace pinball

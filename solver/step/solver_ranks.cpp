@@ -43,16 +43,6 @@ void Solver<S>::follow_constraints() {
   if (domain_) domain_->connect_sums(model_);
 }
 
-template <class S>
-void Solver<S>::look_ahead_of_constraints() {
-  if (!built::boundary_conditions || !boundary_.any()) return;
-  if (boundary_.changes_soon(clock_.time(), clock_.dt())) {
-    boundary_.look_ahead(model(), clock_.time(), clock_.dt());
-  } else {
-    boundary_.nothing_is_ahead();
-  }
-}
-
 /// Of several ranks all fail in the same way where guards find something, after all messages of a step.
 template <class S>
 void Solver<S>::advance(bool last) {
@@ -76,8 +66,6 @@ template void Solver<double>::choose_common_nodes();
 template void Solver<float>::choose_common_nodes();
 template void Solver<double>::follow_constraints();
 template void Solver<float>::follow_constraints();
-template void Solver<double>::look_ahead_of_constraints();
-template void Solver<float>::look_ahead_of_constraints();
 template void Solver<double>::advance(bool);
 template void Solver<float>::advance(bool);
 

@@ -55,6 +55,7 @@ void Solver<S>::begin_change_of_velocities() {
   const double beside = rigid_.kinetic_beside({});
   take_velocities_of_host();
   boundary_.add_work(changed_velocities_.begin(model_) + rigid_.kinetic_beside({}) - beside);
+  given_leap_.join(unequal_velocities(model_, changed_velocities_.changes()));
   space_->take_velocities();
 }
 

@@ -32,6 +32,10 @@ class TiedStage {
   bool update(Model<S>& model, double time) {
     return nodes_.update(motion_of(model), time, [&model](std::int64_t slot) { return model.elements.alive(slot); });
   }
+  bool begin(double from, double to) const { return nodes_.any() && nodes_.begin(from, to); }
+  double leap_of_begun(const Model<S>& model, double from, double to) const {
+    return nodes_.leap_of_begun(model.nodes.velocity.data(), from, to);
+  }
   /// Kinetic energy that this has cost [energy].
   double take_lost_energy() { return nodes_.take_lost_energy(); }
   void distribute(Model<S>& model) const { nodes_.distribute(model.nodes.force.data()); }

@@ -1,6 +1,7 @@
 #include "tied_nodes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <kernels/exec.hpp>
 
@@ -133,6 +134,22 @@ void TiedNodes<S>::join(const TiedMotion<S>& motion, const std::vector<std::uint
   give_momentum(motion, momentum);
   follow(motion);
   lost_ += moving - kinetic(motion);
+}
+
+template <class S>
+double TiedNodes<S>::leap_of_begun(const S* velocity, double from, double to) const {
+  double largest = 0;  // square
+  for (const TiedNode& tied : nodes_) {
+    if (!times_[tied.tie].begin(from, to)) continue;
+    double square = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      double beyond = record(velocity, tied.node)[c];
+      for (std::size_t k = 0; k < 4; ++k) beyond -= tied.weight[k] * record(velocity, tied.corner[k])[c];
+      square += beyond * beyond;
+    }
+    largest = std::max(largest, square);
+  }
+  return std::sqrt(largest);
 }
 
 template <class S>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -23,6 +24,8 @@ struct TiedNode {
 
 struct TieTimes {
   double start = 0, end = std::numeric_limits<double>::infinity();  ///< [time]
+
+  bool begin(double from, double to) const { return start > from && start > 0 && start <= to; }
 };
 
 /// What tied contact works on; all by nodes of the store.
@@ -77,6 +80,12 @@ class TiedNodes {
   /// Returns whether anything has changed.
   template <class Alive>
   bool update(const TiedMotion<S>& motion, double time, const Alive& alive);
+  /// Whether any begin after `from` and by `to`; and the largest difference of velocities of the nodes that they will
+  /// tie from those of their faces [length/time]. velocity: records of four.
+  bool begin(double from, double to) const {
+    return std::ranges::any_of(times_, [=](const TieTimes& times) { return times.begin(from, to); });
+  }
+  double leap_of_begun(const S* velocity, double from, double to) const;
   /// Kinetic energy that the changes since the last call have cost [energy].
   double take_lost_energy() { return std::exchange(lost_, 0.0); }
   /// Gives the corners what acts on the tied nodes. force: records of four.
