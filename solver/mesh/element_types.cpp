@@ -159,6 +159,9 @@ std::size_t different_nodes(const Corners8& corners) {
 }
 
 WorkedShape worked_as(const Corners8& corners) {
+  bool is_collapsed = false;  // nearly none is, and each is asked several times
+  for (const auto& [begin, end] : edges_of_hexahedron) is_collapsed = is_collapsed || corners[begin] == corners[end];
+  if (!is_collapsed) return WorkedShape::hexahedron;
   if (is_tetrahedron(corners)) return WorkedShape::tetrahedron;
   return as_wedge(corners) ? WorkedShape::wedge : WorkedShape::hexahedron;
 }

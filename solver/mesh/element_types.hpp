@@ -37,6 +37,10 @@ constexpr Corners8 pyramid(std::int32_t a, std::int32_t b, std::int32_t c, std::
 /// Whether corners have the form of tetrahedron().
 bool is_tetrahedron(const Corners8& corners);
 
+/// Corners at both ends of each.
+inline constexpr std::array<std::array<int, 2>, 12> edges_of_hexahedron{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+
 enum class SolidShape : std::uint8_t { hexahedron, wedge, pyramid, tetrahedron };
 
 /// What decides how an element is worked.

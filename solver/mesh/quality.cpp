@@ -6,6 +6,8 @@
 
 #include <solver/base/point.hpp>
 
+#include "element_types.hpp"
+
 namespace pinball {
 namespace {
 
@@ -20,9 +22,6 @@ constexpr int corner_signs[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 
 /// The three neighbours of each corner, in an order that makes the triple product of a box positive.
 constexpr int corner_neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
                                          {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
-
-constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-                              {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 
 using Hexahedron = std::array<std::int32_t, 8>;
 
@@ -60,24 +59,53 @@ double worst_corner(const Hexahedron& nodes, const std::array<Point, 8>& x) {
   return worst;
 }
 
+/// A number at each Gauss point: there are as many as corners.
+using AtPoints = std::array<double, 8>;
+
+/// Derivatives of the trilinear shape functions: [node][parent coordinate].
+constexpr std::array<std::array<AtPoints, 3>, 8> derivatives_of_shapes() {
+  constexpr double gauss = 1.0 / 1.7320508075688772;  // 1/sqrt(3)
+  std::array<std::array<AtPoints, 3>, 8> derivatives{};
+  for (int node = 0; node < 8; ++node) {
+    for (int point = 0; point < 8; ++point) {
+      double factor[3]{};
+      for (int i = 0; i < 3; ++i) factor[i] = 1.0 + corner_signs[node][i] * corner_signs[point][i] * gauss;
+      for (int i = 0; i < 3; ++i) {
+        derivatives[node][i][point] = corner_signs[node][i] * factor[(i + 1) % 3] * factor[(i + 2) % 3] / 8.0;
+      }
+    }
+  }
+  return derivatives;
+}
+
+/// Of the place, along a parent coordinate: [axis].
+std::array<AtPoints, 3> tangents_along(int parent, const std::array<Point, 8>& corners) {
+  static constexpr auto derivatives = derivatives_of_shapes();
+  std::array<AtPoints, 3> tangents{};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int node = 0; node < 8; ++node) {
+      for (int point = 0; point < 8; ++point) {
+        tangents[axis][point] += derivatives[node][parent][point] * corners[node][axis];
+      }
+    }
+  }
+  return tangents;
+}
+
 }  // namespace
 
 double volume_by_quadrature(const std::array<Point, 8>& corners) {
-  // The Jacobian determinant is of degree 2 in each parent coordinate, so that 2 Gauss points in each are exact.
-  const double gauss = 1.0 / std::sqrt(3.0);
-  double volume = 0.0;
-  for (const auto& point : corner_signs) {
-    std::array<Point, 3> tangents{};
-    for (int node = 0; node < 8; ++node) {
-      double factor[3];
-      for (int i = 0; i < 3; ++i) factor[i] = 1.0 + corner_signs[node][i] * point[i] * gauss;
-      for (int i = 0; i < 3; ++i) {
-        const double derivative = corner_signs[node][i] * factor[(i + 1) % 3] * factor[(i + 2) % 3] / 8.0;
-        for (int axis = 0; axis < 3; ++axis) tangents[i][axis] += derivative * corners[node][axis];
-      }
-    }
-    volume += determinant(tangents[0], tangents[1], tangents[2]);
+  // The Jacobian determinant is of degree 2 in each parent coordinate, so that 2 Gauss points in each are exact. All at
+  // once: a compiler makes a vector of them.
+  const std::array<AtPoints, 3> a = tangents_along(0, corners), b = tangents_along(1, corners),
+                                c = tangents_along(2, corners);
+  AtPoints determinants;
+  for (int p = 0; p < 8; ++p) {
+    determinants[p] =
+        determinant({a[0][p], a[1][p], a[2][p]}, {b[0][p], b[1][p], b[2][p]}, {c[0][p], c[1][p], c[2][p]});
   }
+  double volume = 0.0;
+  for (const double at_point : determinants) volume += at_point;
   return volume;
 }
 
@@ -91,7 +119,7 @@ MeshQuality measure_quality(const Mesh& mesh) {
     for (int node = 0; node < 8; ++node) x[node] = mesh.nodes[hexahedron[node]];
 
     double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
-    for (const auto& edge : edges) {
+    for (const auto& edge : edges_of_hexahedron) {
       if (hexahedron[edge[0]] == hexahedron[edge[1]]) continue;
       const double length = norm(minus(x[edge[0]], x[edge[1]]));
       shortest = std::min(shortest, length);

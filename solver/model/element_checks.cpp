@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include <solver/base/point.hpp>
 #include <solver/mesh/quality.hpp>
 
 #include "mesh_rounding.hpp"
@@ -14,10 +15,16 @@ namespace pinball {
 
 namespace {
 
+constexpr double least_square = 1e-250;
+
 /// Largest distance of a corner from the first one: 0 only if all are the same point.
 double diameter(const std::array<Point, 8>& corners) {
-  double largest = 0;
   const Point& a = corners[0];
+  double largest = 0;
+  for (const Point& b : corners) largest = std::max(largest, dot(minus(b, a), minus(b, a)));
+  // hypot takes ten times as long, and is for those whose squares are no numbers or have lost digits.
+  if (largest > least_square && largest < 1 / least_square) return std::sqrt(largest);
+  largest = 0;
   for (const Point& b : corners) {
     largest = std::max(largest, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
   }

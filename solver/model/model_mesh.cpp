@@ -64,9 +64,6 @@ Mesh mesh_of(const Body& body) {
   }
 }
 
-constexpr std::array<std::pair<int, int>, 12> edges_of_hexahedron{
-    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-
 bool same_file(const Body& a, const Body& b) {
   const auto* mine = std::get_if<FileMesh>(&a.mesh);
   const auto* other = std::get_if<FileMesh>(&b.mesh);
@@ -133,15 +130,24 @@ class Assembly {
     check_volumes(mesh, b);
     place_of_body(mesh, b);
     const std::int32_t offset = add_nodes(mesh.nodes.size(), b);
-    all_.nodes.insert(all_.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
+    const bool is_first = all_.nodes.empty();  // its memory is taken, not copied
+    if (is_first) {
+      all_.nodes = std::move(mesh.nodes);
+    } else {
+      all_.nodes.insert(all_.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
+    }
     const std::int64_t first = all_.element_count(), count = std::ssize(mesh.hexahedra);
     const bool given = std::holds_alternative<ArrayMesh>(scene_.bodies[b].mesh);
     all_.body.insert(all_.body.end(), count, static_cast<std::int32_t>(b));
-    all_.hexahedra.resize(first + count);
+    if (is_first) {
+      all_.hexahedra = std::move(mesh.hexahedra);
+    } else {
+      all_.hexahedra.insert(all_.hexahedra.end(), mesh.hexahedra.begin(), mesh.hexahedra.end());
+    }
     const auto problem = [&](std::int64_t e) { return rounding_problem(all_.corners(e), scene_.precision); };
     parallel_for("elements of a body", RangePolicy<>{0, count}, [&](std::int64_t e) {
       std::array<std::int32_t, 8>& hexahedron = all_.hexahedra[first + e];
-      for (std::size_t i = 0; i < 8; ++i) hexahedron[i] = mesh.hexahedra[e][i] + offset;
+      for (std::int32_t& node : hexahedron) node += offset;
       if (given) turn(hexahedron);
     });
     const std::int64_t bad =
