@@ -11,6 +11,22 @@ namespace pinball {
 namespace {
 
 using Layers = std::array<std::int32_t, 3>;
+using Axes = std::array<std::size_t, 3>;
+
+/// An element at its layers: in the order of the axes, or of those that it is turned to.
+struct PlacedElement {
+  Layers layer;
+  std::int32_t element;
+
+  /// Numbers in pairs, each compared at once: all are at least 0.
+  friend bool operator<(const PlacedElement& a, const PlacedElement& b) {
+    const auto pair = [](std::int32_t high, std::int32_t low) {
+      return std::uint64_t(std::uint32_t(high)) << 32 | std::uint32_t(low);
+    };
+    const std::uint64_t of_a = pair(a.layer[0], a.layer[1]), of_b = pair(b.layer[0], b.layer[1]);
+    return of_a != of_b ? of_a < of_b : pair(a.layer[2], a.element) < pair(b.layer[2], b.element);
+  }
+};
 
 /// Cuts ranges of elements into halves until they are tiles.
 class Halving {
@@ -22,8 +38,11 @@ class Halving {
         largest_(largest),
         multiple_(multiple),
         row_axis_(row_axis),
-        layer_(centres.size()),
-        tiles_(tiles) {}
+        places_(tiles.order.size()),
+        tiles_(tiles) {
+    parallel_for("elements to cut", RangePolicy<>{0, std::ssize(places_)},
+                 [&](std::int64_t i) { places_[i].element = tiles.order[i]; });
+  }
 
   /// All ranges are cut at once, again and again: each is some thread's.
   void cut(std::int64_t count) {
@@ -52,6 +71,7 @@ class Halving {
     }
     parallel_for("rows of tiles", RangePolicy<>{0, std::ssize(ranges)}, [&](std::int64_t i) {
       sort_rows(ranges[i].begin, ranges[i].end, count_layers(ranges[i].begin, ranges[i].end));
+      for (std::int64_t at = ranges[i].begin; at < ranges[i].end; ++at) tiles_.order[at] = places_[at].element;
     });
     for (const Range& range : ranges) tiles_.offsets.push_back(range.end);
   }
@@ -64,50 +84,59 @@ class Halving {
     const Layers layers = count_layers(begin, end);
     const std::size_t axis = axis_to_cut(layers);
     const std::int64_t middle = begin + half(begin, end, axis, layers[axis]);
-    const std::array<std::size_t, 3> axes{axis, (axis + 1) % 3, (axis + 2) % 3};
-    std::nth_element(at(begin), at(middle), at(end),
-                     [&](std::int32_t a, std::int32_t b) { return before(a, b, axes); });
+    turn(begin, end, {axis, (axis + 1) % 3, (axis + 2) % 3});
+    std::nth_element(at(begin), at(middle), at(end));
     return middle;
   }
 
-  std::vector<std::int32_t>::iterator at(std::int64_t i) { return tiles_.order.begin() + i; }
+  std::vector<PlacedElement>::iterator at(std::int64_t i) { return places_.begin() + i; }
+
+  void turn(std::int64_t begin, std::int64_t end, const Axes& axes) {
+    for (auto place = at(begin); place != at(end); ++place) {
+      place->layer = {place->layer[axes[0]], place->layer[axes[1]], place->layer[axes[2]]};
+    }
+  }
 
   /// Numbers the layers of elements in each direction, of a thickness that is the mean of the elements'.
   Layers count_layers(std::int64_t begin, std::int64_t end) {
     Point low, high, thickness{};
     low.fill(std::numeric_limits<double>::infinity());
     high.fill(-std::numeric_limits<double>::infinity());
-    for (auto e = at(begin); e != at(end); ++e) {
+    for (auto place = at(begin); place != at(end); ++place) {
+      const Point &centre = centres_[place->element], &extent = extents_[place->element];
       for (std::size_t k = 0; k < 3; ++k) {
-        const double c = centres_[*e][k];
-        low[k] = std::min(low[k], c);
-        high[k] = std::max(high[k], c);
-        thickness[k] += extents_[*e][k] / (end - begin);
+        low[k] = std::min(low[k], centre[k]);
+        high[k] = std::max(high[k], centre[k]);
+        thickness[k] += extent[k] / (end - begin);
       }
     }
     // Not more layers than elements, however far small bodies are apart.
     for (std::size_t k = 0; k < 3; ++k) {
       thickness[k] = std::max(thickness[k], (high[k] - low[k]) / (end - begin));
     }
-    Layers count{1, 1, 1};
-    for (auto e = at(begin); e != at(end); ++e) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double height = centres_[*e][k] - low[k];
-        const auto number = height > 0 ? static_cast<std::int32_t>(std::lround(height / thickness[k])) : 0;
-        layer_[*e][k] = number;
-        count[k] = std::max(count[k], number + 1);
-      }
-    }
-    return count;
+    Layers last{0, 0, 0};
+    parallel_reduce(
+        "layers", RangePolicy<>{begin, end}, last,
+        [&](std::int64_t first, std::int64_t behind, Layers& largest) {
+          for (auto place = at(first); place != at(behind); ++place) {
+            for (std::size_t k = 0; k < 3; ++k) {
+              place->layer[k] = layer_at(centres_[place->element][k] - low[k], thickness[k]);
+              largest[k] = std::max(largest[k], place->layer[k]);
+            }
+          }
+        },
+        [](Layers& whole, const Layers& part) {
+          for (std::size_t k = 0; k < 3; ++k) whole[k] = std::max(whole[k], part[k]);
+        });
+    return {last[0] + 1, last[1] + 1, last[2] + 1};
   }
 
-  bool before(std::int32_t a, std::int32_t b, const std::array<std::size_t, 3>& axes) const {
-    const Layers& la = layer_[a];
-    const Layers& lb = layer_[b];
-    for (const std::size_t k : axes) {
-      if (la[k] != lb[k]) return la[k] < lb[k];
-    }
-    return a < b;
+  /// height / thickness to the nearest, as std::lround, which takes several times as long; 0 below 0, and for NaN.
+  static std::int32_t layer_at(double height, double thickness) {
+    if (!(height > 0)) return 0;
+    const double layers = height / thickness;
+    const auto whole = static_cast<std::int32_t>(layers);
+    return layers - whole >= 0.5 ? whole + 1 : whole;
   }
 
   /// That with the most layers. Rows are cut where they are far longer than the tile is thick.
@@ -119,9 +148,7 @@ class Halving {
   /// Elements of the first half: as many as are in the layers up to the one nearest to the middle, in whole packs.
   std::int64_t half(std::int64_t begin, std::int64_t end, std::size_t axis, std::int32_t layers) {
     std::vector<std::int64_t> of_layer(layers, 0);
-    for (auto e = at(begin); e != at(end); ++e) {
-      ++of_layer[layer_[*e][axis]];
-    }
+    for (auto place = at(begin); place != at(end); ++place) ++of_layer[place->layer[axis]];
     const std::int64_t n = end - begin;
     std::int64_t best = 0, sum = 0;
     for (const std::int64_t count : of_layer) {
@@ -136,21 +163,21 @@ class Halving {
   /// Rows along the direction with the most layers; the direction with the fewest comes next, so that a layer of rows
   /// is small.
   void sort_rows(std::int64_t begin, std::int64_t end, const Layers& layers) {
-    std::array<std::size_t, 3> axes{0, 1, 2};
+    Axes axes{0, 1, 2};
     std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) { return layers[a] > layers[b]; });
     if (row_axis_ >= 0) {
       const auto chosen = std::ranges::find(axes, static_cast<std::size_t>(row_axis_));
       std::rotate(axes.begin(), chosen, chosen + 1);
     }
-    const std::array<std::size_t, 3> slowest_first{axes[1], axes[2], axes[0]};
-    std::sort(at(begin), at(end), [&](std::int32_t a, std::int32_t b) { return before(a, b, slowest_first); });
+    turn(begin, end, {axes[1], axes[2], axes[0]});
+    std::sort(at(begin), at(end));
   }
 
   const std::vector<Point>& centres_;
   const std::vector<Point>& extents_;
   std::int64_t largest_, multiple_;
   int row_axis_;
-  std::vector<Layers> layer_;
+  std::vector<PlacedElement> places_;
   TileOrder& tiles_;
 };
 
