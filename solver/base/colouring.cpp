@@ -1,9 +1,12 @@
 #include "colouring.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <bit>
 #include <utility>
 
 #include "error.hpp"
+#include "lists_in_order.hpp"
 #include "message.hpp"
 
 namespace pinball {
@@ -11,12 +14,44 @@ namespace {
 
 using Hexahedron = std::array<std::int32_t, 8>;
 
+/// Of each tile the nodes that other tiles touch, too, each once: for all others no colour is taken.
+std::vector<std::vector<std::int32_t>> shared_nodes(const std::vector<std::int32_t>& offsets,
+                                                    const std::vector<Hexahedron>& hexahedra, std::int32_t node_count) {
+  constexpr std::int32_t nobody = -1, several = -2;
+  std::vector<std::int32_t> whose(node_count, nobody);
+  const std::int64_t tiles = std::ssize(offsets) - 1;
+  parallel_for("whose nodes", RangePolicy<>{0, tiles}, [&](std::int64_t index) {
+    const std::int32_t tile = index;
+    for (std::int32_t element = offsets[tile]; element < offsets[tile + 1]; ++element) {
+      for (const std::int32_t node : hexahedra[element]) {
+        const std::atomic_ref of(whose[node]);
+        std::int32_t before = of.load(std::memory_order_relaxed);
+        if (before == tile || before == several) continue;
+        if (before == nobody && of.compare_exchange_strong(before, tile, std::memory_order_relaxed)) continue;
+        of.store(several, std::memory_order_relaxed);
+      }
+    }
+  });
+  std::vector<std::vector<std::int32_t>> shared(tiles);
+  parallel_for("shared nodes", RangePolicy<>{0, tiles}, [&](std::int64_t tile) {
+    std::vector<std::int32_t>& nodes = shared[tile];
+    for (std::int32_t element = offsets[tile]; element < offsets[tile + 1]; ++element) {
+      for (const std::int32_t node : hexahedra[element]) {
+        if (whose[node] == several) nodes.push_back(node);
+      }
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  });
+  return shared;
+}
+
 /// For each node a bitmask of the colours of the tiles that touch it, of as many 64-bit words as the colours need.
 class NodeColours {
  public:
   NodeColours(const std::vector<std::int32_t>& offsets, const std::vector<Hexahedron>& hexahedra,
               std::int32_t node_count)
-      : offsets_(offsets), hexahedra_(hexahedra), masks_(node_count, 0), used_(1, 0) {}
+      : nodes_(shared_nodes(offsets, hexahedra, node_count)), masks_(node_count, 0), used_(1, 0) {}
 
   /// Finds the colours that the tile's nodes carry; `taken` asks about the result.
   void gather(std::int32_t tile) {
@@ -49,8 +84,7 @@ class NodeColours {
  private:
   template <class Action>
   void visit(std::int32_t tile, Action action) {
-    for (std::int32_t element = offsets_[tile]; element < offsets_[tile + 1]; ++element)
-      for (const std::int32_t node : hexahedra_[element]) action(&masks_[node * words_]);
+    for (const std::int32_t node : nodes_[tile]) action(&masks_[node * words_]);
   }
 
   void widen() {
@@ -61,8 +95,7 @@ class NodeColours {
     used_.resize(words_, 0);
   }
 
-  const std::vector<std::int32_t>& offsets_;
-  const std::vector<Hexahedron>& hexahedra_;
+  std::vector<std::vector<std::int32_t>> nodes_;
   std::size_t words_ = 1;
   std::vector<std::uint64_t> masks_;  // [nodes][words]
   std::vector<std::uint64_t> used_;   // [words]
@@ -75,11 +108,12 @@ void check(const std::vector<std::int32_t>& offsets, const std::vector<Hexahedro
   if (!ascending)
     throw InputError(
         message_of("colouring: tile offsets do not ascend from 0 to the number of elements, ", hexahedra.size()));
-  for (std::size_t element = 0; element < hexahedra.size(); ++element)
-    for (const std::int32_t node : hexahedra[element])
-      if (node < 0 || node >= node_count)
-        throw InputError(
-            message_of("mesh: element ", element, ": node index ", node, " is not among the ", node_count, " nodes"));
+  const auto is_foreign = [node_count](std::int32_t node) { return node < 0 || node >= node_count; };
+  const std::int64_t bad = first_where("nodes of elements", std::ssize(hexahedra),
+                                       [&](std::int64_t e) { return std::ranges::any_of(hexahedra[e], is_foreign); });
+  if (bad == std::ssize(hexahedra)) return;
+  throw InputError(message_of("mesh: element ", bad, ": node index ", *std::ranges::find_if(hexahedra[bad], is_foreign),
+                              " is not among the ", node_count, " nodes"));
 }
 
 /// First-fit leaves few tiles in the last colours. Tiles of colours above the mean move to the emptiest colour that is

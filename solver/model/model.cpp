@@ -65,15 +65,19 @@ int axis_of_rows(const ModelMesh& mesh, const std::vector<std::int32_t>& element
 std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh& mesh,
                                       const std::vector<std::uint8_t>& levels, bool by_body, int pack, bool mixed) {
   const std::size_t count = mesh.hexahedra.size();
-  std::map<std::tuple<std::size_t, std::uint8_t, std::int32_t>, std::vector<std::int32_t>> members;
+  using Kind = std::tuple<std::size_t, std::uint8_t, std::int32_t>;
+  std::map<Kind, std::vector<std::int32_t>> members;
   std::vector<Point> centres(count), extents(count);
   parallel_for("places of elements", RangePolicy<>{0, mesh.element_count()}, [&](std::int64_t e) {
     centres[e] = element_centre(mesh, e);
     extents[e] = element_extent(mesh, e);
   });
+  std::pair<const Kind, std::vector<std::int32_t>>* last = nullptr;
   for (std::size_t e = 0; e < count; ++e) {
     const std::int32_t body = mesh.body[e];
-    members[{parts.part_of(mesh, e), levels.empty() ? std::uint8_t{0} : levels[e], by_body ? body : 0}].push_back(e);
+    const Kind kind{parts.part_of(mesh, e), levels.empty() ? std::uint8_t{0} : levels[e], by_body ? body : 0};
+    if (last == nullptr || last->first != kind) last = &*members.try_emplace(kind).first;
+    last->second.push_back(e);
   }
   std::vector<TileGroup> groups;
   for (auto& [kind, elements] : members) {
@@ -96,7 +100,7 @@ Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vecto
   const int W = ElementStore::width_in(single);
   const ElementLevels levels =
       model.scene.time.subcycling ? element_step_levels(model.scene, model.mesh, mass_factor) : ElementLevels{};
-  Hexahedra ordered;
+  Hexahedra ordered(model.mesh.hexahedra.size());
   std::vector<std::int32_t> tile_elements{0};
   model.tile_packs.push_back(0);
   model.slot_of_element.resize(model.mesh.hexahedra.size());
@@ -104,24 +108,30 @@ Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vecto
   for (const auto& [part, level, body, tiles] :
        cut_into_tiles(parts, model.mesh, levels.level, by_body, single ? widest_pack<float> : widest_pack<double>,
                       is_mixed<S>(model.scene))) {
-    for (std::size_t t = 0; t + 1 < tiles.offsets.size(); ++t) {
+    const std::int64_t first_tile = std::ssize(tile_elements) - 1, first_element = tile_elements.back();
+    const std::int64_t count = std::ssize(tiles.offsets) - 1;
+    for (std::int64_t t = 0; t < count; ++t) {
+      const std::int64_t elements = tiles.offsets[t + 1] - tiles.offsets[t];
+      model.tile_packs.push_back(model.tile_packs.back() + (elements + W - 1) / W);
+      model.tile_part.push_back(part);
+      if (by_body) model.tile_body.push_back(body);
+      tile_elements.push_back(first_element + tiles.offsets[t + 1]);
+    }
+    if (!levels.own.empty()) model.tile_levels.resize(first_tile + count);
+    model.element_of_slot.resize(model.tile_packs.back() * W, -1);
+    parallel_for("elements of tiles", RangePolicy<>{0, count}, [&](std::int64_t t) {
       const std::int64_t first = tiles.offsets[t], last = tiles.offsets[t + 1];
-      const std::int64_t pack = model.tile_packs.back();
+      const std::int64_t slot = model.tile_packs[first_tile + t] * W;
       std::uint8_t own = highest_step_level;
       for (std::int64_t i = first; i < last; ++i) {
         const std::int32_t e = tiles.order[i];
         if (!levels.own.empty()) own = std::min(own, levels.own[e]);
-        model.slot_of_element[e] = pack * W + (i - first);
-        model.element_of_slot.push_back(e);
-        ordered.push_back(model.mesh.hexahedra[e]);
+        model.slot_of_element[e] = slot + (i - first);
+        model.element_of_slot[slot + (i - first)] = e;
+        ordered[first_element + i] = model.mesh.hexahedra[e];
       }
-      model.tile_packs.push_back(pack + (last - first + W - 1) / W);
-      model.element_of_slot.resize(model.tile_packs.back() * W, -1);
-      model.tile_part.push_back(part);
-      if (by_body) model.tile_body.push_back(body);
-      if (!levels.own.empty()) model.tile_levels.push_back({level, own});
-      tile_elements.push_back(ordered.size());
-    }
+      if (!levels.own.empty()) model.tile_levels[first_tile + t] = {level, own};
+    });
   }
   model.tile_colours = colour_tiles(tile_elements, ordered, model.mesh.nodes.size());
   return ordered;
@@ -146,9 +156,64 @@ void set_failure_limits(Model<S>& model, const ElementParts& parts, const std::v
 template <class S>
 void fill_nodes(Model<S>& model) {
   model.nodes = NodeStore<S>(model.mesh.nodes.size());
-  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    S* position = model.nodes.position_of(model.node_of_scene_node[n]);
+  parallel_for("places of nodes", RangePolicy<>{0, std::ssize(model.mesh.nodes)}, [&](std::int64_t n) {
+    const std::int32_t node = model.node_of_scene_node[n];
+    S* const position = model.nodes.position_of(node);
     for (std::size_t k = 0; k < 3; ++k) position[k] = static_cast<S>(model.mesh.nodes[n][k]);
+    model.nodes.velocity_of(node)[0] = S(0);  // so that its pages come here, and not where one thread works
+  });
+}
+
+/// The share that the element of a slot gives the node of its corner i.
+template <class S>
+void add_node_mass(Model<S>& model, std::int64_t slot, int i, double share) {
+  const std::int32_t e = model.element_of_slot[slot], node = model.elements.corner[model.elements.at(slot, i, 8)];
+  model.node_mass[node] += model.element_mass[e] * share;
+  if (!model.added_mass.empty()) model.added_node_mass[node] += model.added_mass[e] * share;
+}
+
+/// Of each tile the number of the first node that no tile before it touches: nodes are numbered as tiles touch them
+/// first.
+template <class S>
+std::vector<std::int32_t> first_nodes_of_tiles(const Model<S>& model) {
+  const std::int64_t tiles = std::ssize(model.tile_packs) - 1, row = 8 * model.elements.width;
+  std::vector<std::int32_t> first(tiles + 1, 0);
+  parallel_for("nodes of tiles", RangePolicy<>{0, tiles}, [&](std::int64_t tile) {
+    const std::int32_t* const corner = model.elements.corner.data();
+    first[tile + 1] =
+        1 + *std::max_element(corner + row * model.tile_packs[tile], corner + row * model.tile_packs[tile + 1]);
+  });
+  for (std::int64_t tile = 0; tile < tiles; ++tile) first[tile + 1] = std::max(first[tile], first[tile + 1]);
+  return first;
+}
+
+/// In the order of the slots. To a node the tile that touches it first gives first: so all threads add what tiles give
+/// to such nodes of their own, and then what they give to those of others follows, tile after tile.
+template <class S>
+void add_node_masses(Model<S>& model) {
+  struct Corner {
+    std::int64_t slot;
+    int i;
+    double share;
+  };
+  const std::vector<std::int32_t> first = first_nodes_of_tiles(model);
+  const std::int64_t tiles = std::ssize(model.tile_packs) - 1, W = model.elements.width;
+  std::vector<std::vector<Corner>> at_others(tiles);
+  parallel_for("masses of nodes", RangePolicy<>{0, tiles}, [&](std::int64_t tile) {
+    for (std::int64_t slot = W * model.tile_packs[tile]; slot < W * model.tile_packs[tile + 1]; ++slot) {
+      if (model.is_padding(slot)) continue;
+      const CornerShares share = corner_shares(model.scene, model.mesh, model.element_of_slot[slot]);
+      for (int i = 0; i < 8; ++i) {
+        if (model.elements.corner[model.elements.at(slot, i, 8)] < first[tile]) {
+          at_others[tile].push_back({slot, i, share[i]});
+        } else {
+          add_node_mass(model, slot, i, share[i]);
+        }
+      }
+    }
+  });
+  for (const std::vector<Corner>& corners : at_others) {
+    for (const Corner& corner : corners) add_node_mass(model, corner.slot, corner.i, corner.share);
   }
 }
 
@@ -169,32 +234,25 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const 
   parallel_for("masses of elements", RangePolicy<>{0, model.mesh.element_count()}, [&](std::int64_t element) {
     model.element_mass[element] = density_of_body[model.mesh.body[element]] * element_volume(model.mesh, element);
   });
-  std::int32_t e = 0;
-  CornerShares share{};
-  for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
-    const bool padding = model.is_padding(slot);
-    if (!padding) {
-      e = model.element_of_slot[slot];
-      share = corner_shares(model.scene, model.mesh, e);
-      model.elements.mass[slot] = model.element_mass[e];
-      if (!mass_factor.empty()) {
-        model.added_mass[e] = (mass_factor[e] - 1) * model.element_mass[e];
-        model.element_mass[e] += model.added_mass[e];
-        model.elements.mass_share[slot] = 1 / mass_factor[e];
-      }
-      if (!onset.empty()) model.elements.folding_onset[slot] = onset[e];
-      if (features.volume_ratio) {
-        for (const int of_step : {0, 1}) model.elements.volume_ratio[model.elements.at(slot, of_step, 2)] = 1;
-      }
+  parallel_for("elements of slots", RangePolicy<>{0, model.elements.slots}, [&](std::int64_t slot) {
+    std::int64_t filled = slot;  // of padding: that of the element before it
+    while (model.is_padding(filled)) --filled;
+    const std::int32_t e = model.element_of_slot[filled];
+    for (int i = 0; i < 8; ++i) {
+      model.elements.corner[model.elements.at(slot, i, 8)] = model.node_of_scene_node[model.mesh.hexahedra[e][i]];
     }
-    for (int i = 0; i < 8; ++i) {  // of padding: those of the element before it
-      const std::int32_t node = model.node_of_scene_node[model.mesh.hexahedra[e][i]];
-      model.elements.corner[model.elements.at(slot, i, 8)] = node;
-      if (padding) continue;
-      model.node_mass[node] += model.element_mass[e] * share[i];
-      if (!model.added_mass.empty()) model.added_node_mass[node] += model.added_mass[e] * share[i];
+    if (filled != slot) return;
+    model.elements.mass[slot] = model.element_mass[e];
+    if (!mass_factor.empty()) {
+      model.added_mass[e] = (mass_factor[e] - 1) * model.element_mass[e];
+      model.element_mass[e] += model.added_mass[e];
+      model.elements.mass_share[slot] = 1 / mass_factor[e];
     }
-  }
+    if (!onset.empty()) model.elements.folding_onset[slot] = onset[e];
+    if (!features.volume_ratio) return;
+    for (const int of_step : {0, 1}) model.elements.volume_ratio[model.elements.at(slot, of_step, 2)] = 1;
+  });
+  add_node_masses(model);
 }
 
 template <class S>

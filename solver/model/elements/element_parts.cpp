@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include <kernels/exec.hpp>
 #include <solver/model/rigid/rigid_nodes.hpp>
 
 namespace pinball {
@@ -18,9 +19,9 @@ std::size_t place_of(WorkedShape shape) { return static_cast<std::size_t>(shape)
 std::vector<WorkedShape> shapes_of_elements(const Scene& scene, const ModelMesh& mesh,
                                             const std::vector<std::int32_t>& rigid_body) {
   std::vector<WorkedShape> shapes(mesh.hexahedra.size(), WorkedShape::hexahedron);
-  for (std::size_t e = 0; e < shapes.size(); ++e) {
+  parallel_for("shapes of elements", RangePolicy<>{0, mesh.element_count()}, [&](std::int64_t e) {
     if (rigid_body[mesh.body[e]] < 0) shapes[e] = worked_shape(scene, mesh, e);
-  }
+  });
   return shapes;
 }
 
