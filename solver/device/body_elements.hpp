@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+
+#include <kernels/exec.hpp>
 #include <solver/model/elements/element_parts.hpp>
 #include <solver/model/model.hpp>
 
@@ -10,26 +13,34 @@ namespace pinball {
 /// place_of(slot): where the element of a slot lies in the arrays that are summed up.
 template <class S, class PlaceOf>
 BodyElements body_elements(const Model<S>& model, const PlaceOf& place_of) {
-  std::vector<std::vector<std::int64_t>> slots(model.mesh.body_names.size());
-  for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
-    if (!model.is_padding(slot)) slots[model.mesh.body[model.element_of_slot[slot]]].push_back(slot);
-  }
+  const std::size_t bodies = model.mesh.body_names.size();
+  std::vector<std::int32_t> next(bodies, 0);  // per body: of its elements in the lists
+  for (const std::int32_t body : model.mesh.body) ++next[body];
   BodyElements elements;
-  elements.bodies = slots.size();
-  for (std::size_t body = 0; body < slots.size(); ++body) {
-    for (std::size_t i = 0; i < slots[body].size(); ++i) {
-      if (i % BodyElements::most_of_piece == 0) {
-        elements.first.push_back(static_cast<std::int32_t>(elements.place.size()));
-        elements.body.push_back(static_cast<std::int32_t>(body));
-      }
-      elements.place.push_back(static_cast<std::int32_t>(place_of(slots[body][i])));
-      const std::int32_t element = model.element_of_slot[slots[body][i]];
-      elements.mass.push_back(model.element_mass[element]);
-      const WorkedShape shape = worked_shape(model.scene, model.mesh, element);
-      elements.nodes.push_back(shape == WorkedShape::wedge ? 6 : 8);
+  elements.bodies = bodies;
+  std::int32_t all = 0;
+  for (std::size_t body = 0; body < bodies; ++body) {
+    const std::int32_t count = std::exchange(next[body], all);
+    for (std::int32_t i = 0; i < count; i += BodyElements::most_of_piece) {
+      elements.first.push_back(all + i);
+      elements.body.push_back(static_cast<std::int32_t>(body));
     }
+    all += count;
   }
-  elements.first.push_back(static_cast<std::int32_t>(elements.place.size()));
+  elements.first.push_back(all);
+  std::vector<std::int32_t> element_of(all);
+  for (const std::int32_t element : model.element_of_slot) {
+    if (element >= 0) element_of[next[model.mesh.body[element]]++] = element;
+  }
+  elements.place.resize(all);
+  elements.mass.resize(all);
+  elements.nodes.resize(all);
+  parallel_for("elements of bodies", RangePolicy<>{0, all}, [&](std::int64_t i) {
+    const std::int32_t element = element_of[i];
+    elements.place[i] = static_cast<std::int32_t>(place_of(model.slot_of_element[element]));
+    elements.mass[i] = model.element_mass[element];
+    elements.nodes[i] = worked_shape(model.scene, model.mesh, element) == WorkedShape::wedge ? 6 : 8;
+  });
   return elements;
 }
 

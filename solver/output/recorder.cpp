@@ -47,7 +47,6 @@ Recorder::Recorder(Simulation& simulation, const RecordOptions& options, bool co
       checkpoint_every_(options.checkpoint_every) {
   if (options.source != nullptr) {
     head_ = checkpoint_head(*options.source, simulation);
-    head_->fingerprint = simulation.fingerprint();
     head_->deck = options.deck;
   } else if (checkpoint_every_ > 0) {
     throw InputError("a checkpoint needs the source of the scene");
@@ -157,7 +156,13 @@ void Recorder::checkpoint(Simulation& simulation, bool last) {
 
 void Recorder::write_state(Simulation& simulation) {
   save(simulation);
-  write_checkpoint(path(checkpoint_name), *head_, last_good_);
+  write_file(checkpoint_name, simulation);
+}
+
+/// The fingerprint goes through the whole model: it is made where there is a file to write.
+void Recorder::write_file(const char* name, const Simulation& simulation) {
+  if (head_->fingerprint == 0) head_->fingerprint = simulation.fingerprint();
+  write_checkpoint(path(name), *head_, last_good_);
 }
 
 /// The checkpoint comes first: a restart cuts off the row and the fields that an unbroken run would not have here.
@@ -182,7 +187,7 @@ std::string Recorder::save_last_good(Simulation& simulation) {
   };
   std::string restart;
   if (head_) {
-    write_checkpoint(path(last_good_name), *head_, last_good_);
+    write_file(last_good_name, simulation);
     restart = fmt::format(" and, for --restart, in {}", path(last_good_name));
   }
   last_good_ = {};

@@ -88,6 +88,7 @@ class Recorder {
   void save(Simulation& simulation);
   void keep_state(Simulation& simulation);
   void write_state(Simulation& simulation);
+  void write_file(const char* name, const Simulation& simulation);
   std::string path(const char* name) const;
 
   std::string folder_;
@@ -98,7 +99,7 @@ class Recorder {
   std::unique_ptr<HistoryWriter> history_;
   std::optional<double> last_row_;  ///< its time
   std::unique_ptr<FieldWriter> fields_;
-  std::optional<CheckpointHead> head_;  ///< only for a scene whose source is known
+  std::optional<CheckpointHead> head_;  ///< only for a scene whose source is known; fingerprint: 0 until it is needed
   StateBytes last_good_;                ///< RunRecord and Simulation
   Clock::time_point start_ = Clock::now(), next_copy_{};
   double wall_seconds_before_ = 0;

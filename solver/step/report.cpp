@@ -150,8 +150,10 @@ std::uint64_t state_hash(const Model<S>& model) {
     hash.add(std::span<const S>(model.nodes.velocity_of(n), 3));
   }
   for (const std::int64_t slot : model.slot_of_element) {
-    model.elements.stress.visit([&](const auto& stress) {
-      for (int c = 0; c < 6; ++c) hash.add(std::span(&stress[model.elements.at(slot, c, 6)], 1));
+    model.elements.stress.visit([&]<class E>(const Array<E>& stress) {
+      E components[6];
+      for (int c = 0; c < 6; ++c) components[c] = stress[model.elements.at(slot, c, 6)];
+      hash.add(std::span<const E>(components));
     });
   }
   return hash.value();
