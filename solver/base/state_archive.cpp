@@ -36,7 +36,7 @@ void copy_pages(std::byte* to, const std::byte* from, std::size_t bytes) {
 }  // namespace
 
 void StateArchive::copy(void* to, const void* from, std::size_t bytes) {
-  constexpr std::size_t block = std::size_t(1) << 18;
+  constexpr std::size_t block = std::size_t(1) << 16;
   if (bytes < 4 * block) {
     std::memcpy(to, from, bytes);
     return;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <solver/base/lists_in_order.hpp>
+
 namespace pinball {
 
 /// The first place of what a place hangs together with so far; ways to it become shorter.
@@ -175,7 +177,8 @@ void RowSystem::list_rows_of_nodes() {
 
 /// The bound: sum over the nodes of |w_iI| times the sum of |w_jI| over all their rows, times what the node moves by.
 void RowSystem::set_constants(const std::vector<FrictionRow>& frictions) {
-  for (std::int32_t k = 0; k < size(); ++k) {
+  for_all_of("constants of rows", size(), 8 * size(), [&](std::int64_t row_number) {
+    const auto k = static_cast<std::int32_t>(row_number);
     const ImpulseRow& own = rows_->rows[original(k)];
     const RowView row = entries(k);
     Row& constants = constants_[k];
@@ -199,7 +202,7 @@ void RowSystem::set_constants(const std::vector<FrictionRow>& frictions) {
     }
     constants.bound = constants.sum_along;
     if (constants.coefficient > 0) constants.bound = std::max(constants.bound, constants.sum_across);
-  }
+  });
 }
 
 /// The same over the rows of rigid bodies, by the bound of rigid_rows.hpp.
