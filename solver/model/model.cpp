@@ -15,6 +15,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
+#include <solver/base/lists_in_order.hpp>
 #include <solver/base/point.hpp>
 #include <solver/base/tile_size.hpp>
 #include <solver/model/selection/left_out.hpp>
@@ -67,7 +68,7 @@ std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh
   const std::size_t count = mesh.hexahedra.size();
   using Kind = std::tuple<std::size_t, std::uint8_t, std::int32_t>;
   std::map<Kind, std::vector<std::int32_t>> members;
-  std::vector<Point> centres(count), extents(count);
+  Array<Point> centres(count), extents(count);  // whose pages come with those who write
   parallel_for("places of elements", RangePolicy<>{0, mesh.element_count()}, [&](std::int64_t e) {
     centres[e] = element_centre(mesh, e);
     extents[e] = element_extent(mesh, e);
@@ -86,7 +87,9 @@ std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh
     const std::int64_t size = tile_size(together);
     const auto [part, level, body] = kind;
     const int axis = mixed ? axis_of_rows(mesh, elements) : -1;
-    groups.push_back({part, level, body, compact_tiles(centres, extents, std::move(elements), size, pack, axis)});
+    groups.push_back(
+        {part, level, body,
+         compact_tiles({centres.data(), count}, {extents.data(), count}, std::move(elements), size, pack, axis)});
   }
   return groups;
 }
@@ -257,16 +260,16 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const 
 
 template <class S>
 void invert_node_masses(Model<S>& model) {
-  for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
-    const S inverse = static_cast<S>(1.0 / model.node_mass[n]);
-    if (!(inverse > S(0)) || !std::isfinite(inverse)) {
-      throw InputError(fmt::format(
-          "{}a node has the mass {:.6g}, which {} precision cannot divide by: expected another density, "
-          "size of elements or unit of mass",
-          message_head(model.scene), model.node_mass[n], sizeof(S) == sizeof(double) ? "double" : "single"));
-    }
-    model.nodes.inverse_mass[n] = inverse;
-  }
+  const std::int64_t count = std::ssize(model.node_mass);
+  const std::int64_t bad = first_where("inverse masses", count, [&](std::int64_t n) {
+    const S inverse = model.nodes.inverse_mass[n] = static_cast<S>(1.0 / model.node_mass[n]);
+    return !(inverse > S(0)) || !std::isfinite(inverse);
+  });
+  if (bad == count) return;
+  throw InputError(
+      fmt::format("{}a node has the mass {:.6g}, which {} precision cannot divide by: expected another density, "
+                  "size of elements or unit of mass",
+                  message_head(model.scene), model.node_mass[bad], sizeof(S) == sizeof(double) ? "double" : "single"));
 }
 
 /// From the numbers of the scene to those of the stores.

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <solver/mesh.hpp>
@@ -25,7 +26,7 @@ struct TileOrder {
 /// multiples of `multiple` elements but for the last. Depends on positions alone, ties by index. Coordinates are to be
 /// finite. row_axis: the direction of rows, along which tiles are then up to four times as long as they are thick; -1:
 /// that with the most layers.
-TileOrder compact_tiles(const std::vector<Point>& centres, const std::vector<Point>& extents,
+TileOrder compact_tiles(std::span<const Point> centres, std::span<const Point> extents,
                         std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple,
                         int row_axis = -1);
 

@@ -31,8 +31,8 @@ struct PlacedElement {
 /// Cuts ranges of elements into halves until they are tiles.
 class Halving {
  public:
-  Halving(const std::vector<Point>& centres, const std::vector<Point>& extents, std::int64_t largest,
-          std::int64_t multiple, int row_axis, TileOrder& tiles)
+  Halving(std::span<const Point> centres, std::span<const Point> extents, std::int64_t largest, std::int64_t multiple,
+          int row_axis, TileOrder& tiles)
       : centres_(centres),
         extents_(extents),
         largest_(largest),
@@ -40,7 +40,7 @@ class Halving {
         row_axis_(row_axis),
         places_(tiles.order.size()),
         tiles_(tiles) {
-    parallel_for("elements to cut", RangePolicy<>{0, std::ssize(places_)},
+    parallel_for("elements to cut", RangePolicy<>{0, std::ssize(tiles.order)},
                  [&](std::int64_t i) { places_[i].element = tiles.order[i]; });
   }
 
@@ -89,10 +89,10 @@ class Halving {
     return middle;
   }
 
-  std::vector<PlacedElement>::iterator at(std::int64_t i) { return places_.begin() + i; }
+  PlacedElement* at(std::int64_t i) { return places_.data() + i; }
 
   void turn(std::int64_t begin, std::int64_t end, const Axes& axes) {
-    for (auto place = at(begin); place != at(end); ++place) {
+    for (auto* place = at(begin); place != at(end); ++place) {
       place->layer = {place->layer[axes[0]], place->layer[axes[1]], place->layer[axes[2]]};
     }
   }
@@ -102,7 +102,7 @@ class Halving {
     Point low, high, thickness{};
     low.fill(std::numeric_limits<double>::infinity());
     high.fill(-std::numeric_limits<double>::infinity());
-    for (auto place = at(begin); place != at(end); ++place) {
+    for (auto* place = at(begin); place != at(end); ++place) {
       const Point &centre = centres_[place->element], &extent = extents_[place->element];
       for (std::size_t k = 0; k < 3; ++k) {
         low[k] = std::min(low[k], centre[k]);
@@ -118,7 +118,7 @@ class Halving {
     parallel_reduce(
         "layers", RangePolicy<>{begin, end}, last,
         [&](std::int64_t first, std::int64_t behind, Layers& largest) {
-          for (auto place = at(first); place != at(behind); ++place) {
+          for (auto* place = at(first); place != at(behind); ++place) {
             for (std::size_t k = 0; k < 3; ++k) {
               place->layer[k] = layer_at(centres_[place->element][k] - low[k], thickness[k]);
               largest[k] = std::max(largest[k], place->layer[k]);
@@ -148,7 +148,7 @@ class Halving {
   /// Elements of the first half: as many as are in the layers up to the one nearest to the middle, in whole packs.
   std::int64_t half(std::int64_t begin, std::int64_t end, std::size_t axis, std::int32_t layers) {
     std::vector<std::int64_t> of_layer(layers, 0);
-    for (auto place = at(begin); place != at(end); ++place) ++of_layer[place->layer[axis]];
+    for (auto* place = at(begin); place != at(end); ++place) ++of_layer[place->layer[axis]];
     const std::int64_t n = end - begin;
     std::int64_t best = 0, sum = 0;
     for (const std::int64_t count : of_layer) {
@@ -173,17 +173,16 @@ class Halving {
     std::sort(at(begin), at(end));
   }
 
-  const std::vector<Point>& centres_;
-  const std::vector<Point>& extents_;
+  std::span<const Point> centres_, extents_;
   std::int64_t largest_, multiple_;
   int row_axis_;
-  std::vector<PlacedElement> places_;
+  Array<PlacedElement> places_;
   TileOrder& tiles_;
 };
 
 }  // namespace
 
-TileOrder compact_tiles(const std::vector<Point>& centres, const std::vector<Point>& extents,
+TileOrder compact_tiles(std::span<const Point> centres, std::span<const Point> extents,
                         std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple, int row_axis) {
   TileOrder tiles{std::move(elements), {0}};
   const std::int64_t n = tiles.order.size();
