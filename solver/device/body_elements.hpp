@@ -32,9 +32,9 @@ BodyElements body_elements(const Model<S>& model, const PlaceOf& place_of) {
   for (const std::int32_t element : model.element_of_slot) {
     if (element >= 0) element_of[next[model.mesh.body[element]]++] = element;
   }
-  elements.place.resize(all);
-  elements.mass.resize(all);
-  elements.nodes.resize(all);
+  elements.place.renew(all);
+  elements.mass.renew(all);
+  elements.nodes.renew(all);
   parallel_for("elements of bodies", RangePolicy<>{0, all}, [&](std::int64_t i) {
     const std::int32_t element = element_of[i];
     elements.place[i] = static_cast<std::int32_t>(place_of(model.slot_of_element[element]));

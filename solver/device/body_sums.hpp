@@ -32,9 +32,9 @@ struct BodySum {
 struct BodyElements {
   static constexpr std::int64_t most_of_piece = 128;
 
-  std::vector<std::int32_t> place;  ///< in the arrays of elements
-  std::vector<double> mass;         ///< initial, of each [mass]
-  std::vector<std::int32_t> nodes;  ///< of each that have equal shares of it: 6 of wedges, else 8 corners
+  Array<std::int32_t> place;        ///< in the arrays of elements
+  Array<double> mass;               ///< initial, of each [mass]
+  Array<std::int32_t> nodes;        ///< of each that have equal shares of it: 6 of wedges, else 8 corners
   std::vector<std::int32_t> first;  ///< per piece and one more: its part of both
   std::vector<std::int32_t> body;   ///< per piece
   std::size_t bodies = 0;
@@ -88,17 +88,30 @@ struct SumsBody {
   }
 };
 
+/// An array of the host in another memory; in the host's own it is the same.
+template <class Memory, class T>
+Array<T, Memory> moved_to(Array<T> array) {
+  if constexpr (std::is_same_v<Memory, HostSpace>) {
+    return array;
+  } else {
+    Array<T, Memory> there;
+    there.renew(array.size());
+    deep_copy(there, array);
+    return there;
+  }
+}
+
 template <class S, class E, int L, class Space>
 class SpaceBodySums {
   using Memory = typename Space::memory_space;
 
  public:
-  explicit SpaceBodySums(const BodyElements& elements)
-      : place_(list_in<Space>(elements.place)),
+  explicit SpaceBodySums(BodyElements elements)
+      : place_(moved_to<Memory>(std::move(elements.place))),
         first_(list_in<Space>(elements.first)),
-        nodes_(list_in<Space>(elements.nodes)),
-        mass_(list_in<Space>(elements.mass)),
-        body_(elements.body),
+        nodes_(moved_to<Memory>(std::move(elements.nodes))),
+        mass_(moved_to<Memory>(std::move(elements.mass))),
+        body_(std::move(elements.body)),
         bodies_(elements.bodies) {
     sums_.renew(body_.size());
   }

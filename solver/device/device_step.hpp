@@ -83,7 +83,7 @@ class DeviceStep {
   /// Numbers of the state that stand at some places of their array (DeviceState).
   virtual std::vector<S> read_numbers(StateNumbers of, const std::vector<std::int64_t>& places) const = 0;
   /// Before body_sums().
-  virtual void set_bodies(const BodyElements& elements) = 0;
+  virtual void set_bodies(BodyElements elements) = 0;
   /// Per body.
   virtual std::vector<BodySum> body_sums() = 0;
   /// Per part, of the last update.

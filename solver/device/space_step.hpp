@@ -183,7 +183,7 @@ class SpaceStep final : public DeviceStep<S> {
   std::vector<S> read_numbers(StateNumbers of, const std::vector<std::int64_t>& places) const override {
     return numbers_at<Space>(places, array_of(of).data());
   }
-  void set_bodies(const BodyElements& elements) override { bodies_.emplace(elements); }
+  void set_bodies(BodyElements elements) override { bodies_.emplace(std::move(elements)); }
   std::vector<BodySum> body_sums() override {
     return bodies_->of({state_.velocity.data(), corner_.data(), state_.mass.data(),
                         state_.plastic_strain.empty() ? nullptr : state_.plastic_strain.data()});
