@@ -108,16 +108,17 @@ Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vecto
   model.tile_packs.push_back(0);
   model.slot_of_element.resize(model.mesh.hexahedra.size());
   const bool by_body = model.scene.output.body_energies;
-  for (const auto& [part, level, body, tiles] :
+  for (const TileGroup& group :
        cut_into_tiles(parts, model.mesh, levels.level, by_body, single ? widest_pack<float> : widest_pack<double>,
                       is_mixed<S>(model.scene))) {
+    const TileOrder& tiles = group.tiles;
     const std::int64_t first_tile = std::ssize(tile_elements) - 1, first_element = tile_elements.back();
     const std::int64_t count = std::ssize(tiles.offsets) - 1;
     for (std::int64_t t = 0; t < count; ++t) {
       const std::int64_t elements = tiles.offsets[t + 1] - tiles.offsets[t];
       model.tile_packs.push_back(model.tile_packs.back() + (elements + W - 1) / W);
-      model.tile_part.push_back(part);
-      if (by_body) model.tile_body.push_back(body);
+      model.tile_part.push_back(group.part);
+      if (by_body) model.tile_body.push_back(group.body);
       tile_elements.push_back(first_element + tiles.offsets[t + 1]);
     }
     if (!levels.own.empty()) model.tile_levels.resize(first_tile + count);
@@ -133,7 +134,7 @@ Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vecto
         model.element_of_slot[slot + (i - first)] = e;
         ordered[first_element + i] = model.mesh.hexahedra[e];
       }
-      if (!levels.own.empty()) model.tile_levels[first_tile + t] = {level, own};
+      if (!levels.own.empty()) model.tile_levels[first_tile + t] = {group.level, own};
     });
   }
   model.tile_colours = colour_tiles(tile_elements, ordered, model.mesh.nodes.size());
