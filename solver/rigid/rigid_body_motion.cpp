@@ -44,6 +44,21 @@ Vector part_along(const GivenAxes& along, const Vector& v) {
   return part;
 }
 
+/// What turns a body as given about some axes while others turn it by `moment`, by Euler's equations
+///
+///     I a + w x I w = moment + reaction ,   reaction along the given axes, a along them as given ,
+///
+/// with the w of the time between both velocities. In the step w x I w acts as the body turns, not here.
+/// before: angular velocity, rates: changes of the given ones [1/time^2]
+Vector moment_about(const GivenAxes& about, const Vector& rates, const Matrix& inertia, const Vector& before,
+                    double velocity_step, const Vector& moment) {
+  if (about.count == 0) return Vector::Zero();
+  const Vector w = before + 0.5 * velocity_step * motion_with(about, rates, inertia, moment);
+  const Vector turning = w.cross(inertia * w);
+  const Vector a = motion_with(about, rates, inertia, moment - turning);
+  return part_along(about, inertia * a + turning - moment);
+}
+
 }  // namespace
 
 RigidBodyMotion::RigidBodyMotion(double mass, const std::array<Point, 3>& inertia, const Point& centre)
@@ -98,7 +113,9 @@ void RigidBodyMotion::load(const Wrench& wrench, const GivenMotion& given, doubl
   const Vector b = motion_with(about, turning, eigen(now_), moment);
   acceleration_ = point(a);
   angular_acceleration_ = point(b);
-  state_.reaction = {point(part_along(along, mass_ * a - force)), point(part_along(about, eigen(now_) * b - moment))};
+  reaction_ = {point(part_along(along, mass_ * a - force)), point(part_along(about, eigen(now_) * b - moment))};
+  state_.reaction = {reaction_.force,
+                     point(moment_about(about, turning, eigen(now_), eigen(angular_velocity_), velocity_step, moment))};
 }
 
 /// Where speeds about axes are given the inertia about them may change as the body turns, and with it the energy: the
@@ -109,10 +126,10 @@ ExternalWork RigidBodyMotion::move(const GivenMotion& given, const StepLengths& 
   const Point before = angular_velocity_;
   for (std::size_t k = 0; k < 3; ++k) {
     const double faster = state_.velocity[k] + h * acceleration_[k];
-    work.join(work_of(state_.reaction.force[k], state_.velocity[k], faster, step));
-    work.join(work_of(state_.reaction.moment[k], before[k], before[k] + h * angular_acceleration_[k], step));
+    work.join(work_of(reaction_.force[k], state_.velocity[k], faster, step));
+    work.join(work_of(reaction_.moment[k], before[k], before[k] + h * angular_acceleration_[k], step));
     state_.velocity[k] = faster;
-    state_.angular_momentum[k] += h * (wrench_.moment[k] + state_.reaction.moment[k]);
+    state_.angular_momentum[k] += h * (wrench_.moment[k] + reaction_.moment[k]);
     state_.centre[k] += step.after * faster;
   }
   const Quaternion orientation = eigen(state_.orientation);

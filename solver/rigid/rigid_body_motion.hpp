@@ -28,7 +28,7 @@ struct RigidState {
   std::array<double, 4> orientation{1, 0, 0, 0};  ///< w, x, y, z of a unit quaternion: from the start to t_n
   Point velocity{};                               ///< of the centre, at t_(n-1/2) [length/time]
   Point angular_momentum{};                       ///< about the centre, at t_(n-1/2) [mass length^2/time]
-  Wrench reaction;                                ///< of what held and moved it in the step just made
+  Wrench reaction;                                ///< of what held and moved it in the step just made, at t_n
 };
 
 /// Directions in which a rigid body moves with given velocities, whatever acts on it; orthonormal.
@@ -90,6 +90,7 @@ class RigidBodyMotion {
   std::array<Point, 3> now_{}, inverse_now_{};  ///< inertia in space at t_n, and its inverse
   Point angular_velocity_{}, acceleration_{}, angular_acceleration_{};
   Wrench wrench_;
+  Wrench reaction_;  ///< of load(): what changes both momenta before the body moves
 };
 
 /// v + w x r of a point at r from the centre.

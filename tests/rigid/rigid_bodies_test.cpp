@@ -15,8 +15,6 @@ namespace {
 using namespace test;
 using testing::HasSubstr;
 
-const std::vector<Point> all_directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
 /// An asymmetric one that turns over as it flies.
 Scene top(double end) {
   Scene scene = scene_of({block("top", {3, 2, 1}, 0.1, {7, 0, 0}, {1, 2, 0.5})}, end, false);

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <tests/support/solver_case.hpp>
 
 /// Scenes with rigid bodies.
 namespace pinball::test {
+
+inline const std::vector<Point> all_directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 /// A body that is a rigid body by itself.
 inline RigidBody rigid(const std::string& body) {

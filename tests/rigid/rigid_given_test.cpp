@@ -95,6 +95,75 @@ TEST(RigidMotion, OfAnAccelerationChangesTheVelocityThatIsThere) {
   expect_near(moved.angular_velocity, {0, 0, 4 + 6 * 0.1}, 1e-10, "angular velocity");
 }
 
+/// A block whose principal axes lie askew to those of the scene, by a given inertia.
+Scene askew(double end) {
+  Scene scene = scene_of({block("a", {2, 1, 3}, 0.1, {-0.1, -0.05, -0.15})}, end, false);
+  RigidBody body = rigid("a");
+  body.mass = 50;
+  body.centre = Point{};
+  body.inertia = {Point{0.9, 0.1, 0.2}, {0.1, 0.7, -0.15}, {0.2, -0.15, 0.5}};
+  scene.rigid_bodies = {body};
+  return scene;
+}
+
+/// Of an inertia at the start that has turned about z by an angle.
+Point turned_about_z(const std::array<Point, 3>& inertia, double angle, const Point& w) {
+  const auto turn = [](const Point& v, double by) {
+    return Point{std::cos(by) * v[0] - std::sin(by) * v[1], std::sin(by) * v[0] + std::cos(by) * v[1], v[2]};
+  };
+  const Point own = turn(w, -angle);
+  return turn({dot(inertia[0], own), dot(inertia[1], own), dot(inertia[2], own)}, angle);
+}
+
+/// A rotor that is out of balance, on bearings that hold its axis and beside one that is driven: w x I w.
+TEST(RigidBodies, AreHeldAboutAxesByWhatTheyTakeFromThese) {
+  constexpr double speed = 5, end = 0.4;
+  Scene held = askew(end), driven = held;
+  held.rigid_bodies[0].held = driven.rigid_bodies[0].held = all_directions;
+  held.rigid_bodies[0].held_rotations = driven.rigid_bodies[0].held_rotations = {{1, 0, 0}, {0, 1, 0}};
+  held.rigid_bodies[0].angular_velocity = driven.rigid_bodies[0].angular_velocity = Point{0, 0, speed};
+  RigidMotion motion;
+  motion.rigid_body = "a";
+  motion.axis = Point{0, 0, 1};
+  motion.angular_speed = speed;
+  driven.rigid_motions = {motion};
+  for (const Scene& scene : {held, driven}) {
+    Solver<double> solver(scene);
+    Point sum{};
+    run_to_end(solver, [&] {
+      const RigidBodyResult body = solver.rigid().results()[0];
+      const Point w{0, 0, speed};
+      const Point expected = cross(w, turned_about_z(held.rigid_bodies[0].inertia, speed * solver.force_time(), w));
+      expect_near(body.moment, expected, 1e-9 * norm(expected), "moment");
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += body.moment[k];
+    });
+    EXPECT_GT(norm(sum), 1);
+  }
+}
+
+/// What a motor gives a body that tumbles about the other two axes is its moment times its speed.
+TEST(RigidMotion, DoesTheWorkOfItsMoment) {
+  Scene scene = askew(1);
+  scene.rigid_bodies[0].angular_velocity = Point{1, 2, 0};
+  RigidMotion motion;
+  motion.rigid_body = "a";
+  motion.axis = Point{0, 0, 1};
+  motion.angular_speed = 6;
+  motion.table = {{0, 0.5}, {0, 1}};
+  scene.rigid_motions = {motion};
+  Solver<double> solver(scene);
+  double work = 0, largest = 0, before = 0;
+  run_to_end(solver, [&] {
+    const double time = solver.force_time(), step = 0.5 * (solver.time() - before);
+    before = time;
+    const double moment = solver.rigid().results()[0].moment[2];
+    work += step * moment * 6 * std::min(time / 0.5, 1.0);
+    largest = std::max(largest, std::abs(moment));
+  });
+  EXPECT_GT(largest, 5);
+  EXPECT_NEAR(work / solver.energies().external, 1, 1e-3);
+}
+
 /// Struck beside its centre by another one: both lose and gain the same momenta.
 TEST(RigidBodies, WithAGivenCentreAreStruckAsThoseWhoseMassIsThere) {
   Scene masses = uneven(0.05);
