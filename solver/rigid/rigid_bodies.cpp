@@ -310,11 +310,28 @@ void RigidBodies<S>::put_positions_of_forces(std::vector<Point>& positions) cons
     RigidBodyMotion then = bodies_[b].motion;
     then.state() = before_[b];
     const std::array<Point, 3> rotation = then.rotation();
-    for (std::size_t i = 0; i < bodies_[b].nodes.size(); ++i) {
-      const Point r = times(rotation, record(bodies_[b].arm.data(), static_cast<std::int64_t>(i)));
-      for (std::size_t k = 0; k < 3; ++k) positions[bodies_[b].nodes[i]][k] = before_[b].centre[k] + r[k];
-    }
+    for (std::size_t i = 0; i < bodies_[b].nodes.size(); ++i)
+      positions[bodies_[b].nodes[i]] = position_of_forces(b, i, rotation);
   }
+}
+
+template <class S>
+Point RigidBodies<S>::position_of_forces(std::size_t b, std::size_t i, const std::array<Point, 3>& rotation) const {
+  const Point r = times(rotation, record(bodies_[b].arm.data(), static_cast<std::int64_t>(i)));
+  return {before_[b].centre[0] + r[0], before_[b].centre[1] + r[1], before_[b].centre[2] + r[2]};
+}
+
+template <class S>
+std::optional<Point> RigidBodies<S>::position_of_forces(std::int32_t node) const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const std::vector<std::int32_t>& nodes = bodies_[b].nodes;
+    const auto found = std::ranges::lower_bound(nodes, node);
+    if (found == nodes.end() || *found != node) continue;
+    RigidBodyMotion then = bodies_[b].motion;
+    then.state() = before_[b];
+    return position_of_forces(b, found - nodes.begin(), then.rotation());
+  }
+  return {};
 }
 
 template <class S>

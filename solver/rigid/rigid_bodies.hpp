@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,8 @@ class RigidBodies {
   /// Of the body of a node at the time of the forces, for output: where the nodes were. positions: per node of the
   /// store.
   void put_positions_of_forces(std::vector<Point>& positions) const;
+  /// The same of one node of the store; none: it is of no body.
+  std::optional<Point> position_of_forces(std::int32_t node) const;
   std::vector<RigidBodyResult> results() const;
   std::vector<JointResult> joint_results() const;
   void persist(StateArchive& archive);
@@ -123,6 +126,8 @@ class RigidBodies {
   void sum_forces(const Model<S>& model, Body& body) const;
   void put_forces(Model<S>& model, const Body& body) const;
   void put_nodes(Model<S>& model, const Body& body) const;
+  // rotation: of the body of this number then; i: of its nodes.
+  Point position_of_forces(std::size_t body, std::size_t i, const std::array<Point, 3>& rotation) const;
 
   std::vector<RigidMotion> motions_;
   std::vector<Body> bodies_;

@@ -173,6 +173,7 @@ class Solver {
   void look_ahead(bool first);
   double leap_of_motions(const StepLengths& step, int ahead) const;
   double leap(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
+  Point watched_way_ahead(std::int32_t node) const;
   void share_rigid_forces();
   ContactWork contact_after_constraints(const Due& due);
   void wall_reactions(const Due& due);

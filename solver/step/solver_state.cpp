@@ -73,6 +73,15 @@ Point Solver<S>::way_ahead(std::int32_t node) const {
   return {time * v[0], time * v[1], time * v[2]};
 }
 
+/// Nodes of rigid bodies that turn do not come back on straight ways.
+template <class S>
+Point Solver<S>::watched_way_ahead(std::int32_t node) const {
+  const std::optional<Point> then = rigid_.position_of_forces(node);
+  if (!then) return way_ahead(node);
+  const S* const x = model_.nodes.position_of(node);
+  return {x[0] - (*then)[0], x[1] - (*then)[1], x[2] - (*then)[2]};
+}
+
 template <class S>
 Point Solver<S>::momentum() const {
   const VectorSum of_nodes = motion_->momentum(space_->nodes_for_output());
@@ -89,12 +98,12 @@ std::vector<BodyShare> Solver<S>::body_shares() const {
 template <class S>
 std::vector<double> Solver<S>::probe_values() const {
   space_->show_watched(probes_.nodes(model_), probes_.slots(model_));
-  return probes_.values(model_, [this](std::int32_t node) { return way_ahead(node); });
+  return probes_.values(model_, [this](std::int32_t node) { return watched_way_ahead(node); });
 }
 
 template <class S>
 std::vector<ProbeResult> Solver<S>::probe_results() const {
-  return probes_.results(model(), [this](std::int32_t node) { return way_ahead(node); });
+  return probes_.results(model(), [this](std::int32_t node) { return watched_way_ahead(node); });
 }
 
 template <class S>

@@ -141,6 +141,28 @@ TEST(RigidBodies, AreHeldAboutAxesByWhatTheyTakeFromThese) {
   }
 }
 
+/// At one time with the pictures, also at the start: straight back from where the step ends they would be off the arc.
+TEST(RigidBodies, AreWatchedWhereTheyTurn) {
+  Scene scene = scene_of({block("a", {2, 1, 1}, 0.1, {0, 0, 0})}, 0.2, false);
+  scene.rigid_bodies = {rigid("a")};
+  scene.rigid_bodies[0].angular_velocity = Point{0, 0, 40};
+  Probe probe;
+  probe.name = "corner";
+  probe.point = Point{0.2, 0.1, 0.1};
+  probe.quantities = {"position", "displacement"};
+  scene.probes = {probe};
+  Solver<double> solver(scene);
+  const FieldSnapshot start = snapshot(solver);
+  const std::size_t corner = start.position.size() - 1;
+  run_to_end(solver, [&] {
+    const Point now = snapshot(solver).position[corner];
+    const std::vector<double> values = solver.probe_values();
+    const Point position{values[0], values[1], values[2]}, displacement{values[3], values[4], values[5]};
+    expect_near(position, now, 1e-15, "position");
+    expect_near(displacement, minus(now, start.position[corner]), 1e-15, "displacement");
+  });
+}
+
 /// What a motor gives a body that tumbles about the other two axes is its moment times its speed.
 TEST(RigidMotion, DoesTheWorkOfItsMoment) {
   Scene scene = askew(1);
