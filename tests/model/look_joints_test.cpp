@@ -57,6 +57,46 @@ TEST(LookAtJoints, WhatARigidBodyTakesAlongIsOneWithIt) {
   EXPECT_EQ(decided(scene), ContactMethod::none);
 }
 
+/// A bar whose nodes at its left end are a rigid body, and a block above its other end.
+Scene led_by_nodes() {
+  Scene scene = scene_of({block("bar", {10, 1, 1}, 1, {0, 0, 0}), block("block", {1, 1, 1}, 1, {9, 0, 3})}, 2);
+  scene.contact.method = ContactMethod::not_set;
+  scene.rigid_bodies.emplace_back().name = "end";
+  AttachedNodes& end = scene.attached_nodes.emplace_back();
+  end.rigid_body = "end";
+  end.nodes.body = "bar";
+  end.nodes.plane = Plane{{0, 0, 0}, {1, 0, 0}};
+  return scene;
+}
+
+TEST(LookAtJoints, RigidBodiesOfNodesBeginAsTheyAreGiven) {
+  Scene scene = led_by_nodes();
+  EXPECT_EQ(decided(scene), ContactMethod::none) << "nothing moves it";
+  scene.rigid_bodies[0].velocity = Point{0, 0, 40};
+  EXPECT_EQ(decided(scene), ContactMethod::pinball);
+  scene.rigid_bodies[0].velocity = {};
+  scene.rigid_bodies[0].angular_velocity = Point{0, -100, 0};
+  EXPECT_EQ(decided(scene), ContactMethod::pinball);
+}
+
+TEST(LookAtJoints, AJointLeadsNodesThatAreARigidBody) {
+  Scene scene = led_by_nodes();
+  scene.bodies.push_back(block("lift", {1, 1, 1}, 1, {-100, 0, 0}));
+  scene.rigid_bodies.emplace_back().bodies = {"lift"};
+  scene.rigid_bodies[1].held_rotations = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  RigidMotion up;
+  up.rigid_body = "lift";
+  up.direction = Point{0, 0, 1};
+  up.speed = 4;
+  scene.rigid_motions = {up};
+  EXPECT_EQ(decided(scene), ContactMethod::none) << "nothing leads the bar";
+  Joint& rod = scene.joints.emplace_back();
+  rod.kind = JointKind::locking;
+  rod.bodies = {"end", "lift"};
+  rod.point = Point{-50, 0, 0};
+  EXPECT_EQ(decided(scene), ContactMethod::pinball);
+}
+
 /// A crank that is turned as given moves a rod that nothing else moves.
 TEST(LookAtJoints, WhatIsJointedToWhatTurnsMoves) {
   Scene scene = pendulum({12, 0, 5});

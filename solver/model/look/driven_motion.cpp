@@ -138,13 +138,7 @@ class DrivenMotions {
     }
     for (const RigidBody& rigid : scene_.rigid_bodies) hold(rigid);
   }
-  /// That of its first body or, without bodies, of the first node that is attached to it.
-  std::size_t group_of(const RigidBody& rigid) const {
-    if (!rigid.bodies.empty())
-      return group_[std::ranges::find(scene_.bodies, rigid.bodies.front(), &Body::name) - scene_.bodies.begin()];
-    const auto attached = std::ranges::find(scene_.attached_nodes, rigid.name, &AttachedNodes::rigid_body);
-    return group_of(matching_nodes(mesh_, attached->nodes).front());
-  }
+  std::size_t group_of(const RigidBody& rigid) const { return group_[body_with(scene_, mesh_, rigid)]; }
   DrivenMotion& motion_of(const RigidBody& rigid) { return all_[group_of(rigid)]; }
   void hold(const RigidBody& rigid) {
     const bool moved =

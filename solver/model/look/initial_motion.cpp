@@ -1,6 +1,6 @@
 #include "initial_motion.hpp"
 
-#include <numeric>
+#include <algorithm>
 
 #include <solver/base/moments_of_inertia.hpp>
 #include <solver/model/rigid/rigid_nodes.hpp>
@@ -10,27 +10,47 @@ namespace pinball {
 
 namespace {
 
-/// The means of the nodes of each group of bodies; group: per body, negative: none.
-std::vector<Point> centres_of(const ModelMesh& mesh, const std::vector<std::int32_t>& group, std::size_t groups) {
-  std::vector<Point> centre(groups, Point{});
-  std::vector<double> count(groups, 0.0);
+/// The means of the nodes of each body.
+std::vector<Point> centres_of(const ModelMesh& mesh, std::size_t bodies) {
+  std::vector<Point> centre(bodies, Point{});
+  std::vector<double> count(bodies, 0.0);
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const std::int32_t g = group[mesh.body_of_node[n]];
-    if (g < 0) continue;
-    for (std::size_t k = 0; k < 3; ++k) centre[g][k] += mesh.nodes[n][k];
-    ++count[g];
+    const std::int32_t b = mesh.body_of_node[n];
+    for (std::size_t k = 0; k < 3; ++k) centre[b][k] += mesh.nodes[n][k];
+    ++count[b];
   }
-  for (std::size_t g = 0; g < groups; ++g) {
-    for (double& c : centre[g]) c /= std::max(count[g], 1.0);
+  for (std::size_t b = 0; b < bodies; ++b) {
+    for (double& c : centre[b]) c /= std::max(count[b], 1.0);
   }
   return centre;
 }
 
+Point mean_place(const ModelMesh& mesh, const std::vector<std::int32_t>& nodes) {
+  Point mean{};
+  for (const std::int32_t n : nodes) {
+    for (std::size_t k = 0; k < 3; ++k) mean[k] += mesh.nodes[n][k] / static_cast<double>(nodes.size());
+  }
+  return mean;
+}
+
+/// Those of the bodies of each, and those that are attached to it.
+std::vector<std::vector<std::int32_t>> nodes_of_rigid_bodies(const Scene& scene, const ModelMesh& mesh) {
+  std::vector<std::vector<std::int32_t>> nodes(scene.rigid_bodies.size());
+  const std::vector<std::int32_t> rigid = rigid_body_of_bodies(scene);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const std::int32_t number = rigid[mesh.body_of_node[n]];
+    if (number >= 0) nodes[number].push_back(static_cast<std::int32_t>(n));
+  }
+  for (const AttachedNodes& attached : scene.attached_nodes) {
+    std::vector<std::int32_t>& with = nodes[rigid_body_of_name(scene, attached.rigid_body)];
+    for (const std::int32_t n : matching_nodes(mesh, attached.nodes)) with.push_back(n);
+  }
+  return nodes;
+}
+
 /// Of each node, without noise [length/time].
 std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh) {
-  std::vector<std::int32_t> own(scene.bodies.size());
-  std::iota(own.begin(), own.end(), 0);
-  const std::vector<Point> centre = centres_of(mesh, own, own.size());
+  const std::vector<Point> centre = centres_of(mesh, scene.bodies.size());
   std::vector<Point> velocity(mesh.nodes.size());
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const std::size_t b = mesh.body_of_node[n];
@@ -47,16 +67,15 @@ std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh)
       }
     }
   }
-  const std::vector<std::int32_t> rigid = rigid_body_of_bodies(scene);
-  const std::vector<Point> rigid_centre = centres_of(mesh, rigid, scene.rigid_bodies.size());
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const std::int32_t number = rigid[mesh.body_of_node[n]];
-    if (number < 0) continue;
-    const RigidBody& given = scene.rigid_bodies[number];
-    if (!given.velocity && !given.angular_velocity) continue;
-    const Point centre_of = given.centre.value_or(rigid_centre[number]), v = given.velocity.value_or(Point{});
-    const Point spin = cross(given.angular_velocity.value_or(Point{}), minus(mesh.nodes[n], centre_of));
-    for (std::size_t k = 0; k < 3; ++k) velocity[n][k] = v[k] + spin[k];
+  const std::vector<std::vector<std::int32_t>> rigid = nodes_of_rigid_bodies(scene, mesh);
+  for (std::size_t r = 0; r < rigid.size(); ++r) {
+    const RigidBody& given = scene.rigid_bodies[r];
+    if (rigid[r].empty() || (!given.velocity && !given.angular_velocity)) continue;
+    const Point centre_of = given.centre.value_or(mean_place(mesh, rigid[r])), v = given.velocity.value_or(Point{});
+    for (const std::size_t n : rigid[r]) {
+      const Point spin = cross(given.angular_velocity.value_or(Point{}), minus(mesh.nodes[n], centre_of));
+      for (std::size_t k = 0; k < 3; ++k) velocity[n][k] = v[k] + spin[k];
+    }
   }
   return velocity;
 }

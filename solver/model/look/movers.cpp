@@ -278,16 +278,15 @@ void meet_walls(const Scene& scene, const std::vector<double>& times, const std:
   }
 }
 
-/// The movers that each joint joins; of the ground and of nodes that are attached alone it knows none.
-std::vector<std::vector<std::size_t>> jointed_movers(const Scene& scene, const std::vector<std::int32_t>& group) {
+/// The movers that each joint joins; of the ground it knows none.
+std::vector<std::vector<std::size_t>> jointed_movers(const Scene& scene, const ModelMesh& mesh,
+                                                     const std::vector<std::int32_t>& group) {
   std::vector<std::vector<std::size_t>> all;
   for (const Joint& joint : scene.joints) {
     std::vector<std::size_t>& movers = all.emplace_back();
     for (const std::string& name : joint.bodies) {
       const auto rigid = std::ranges::find(scene.rigid_bodies, name, &RigidBody::name);
-      if (rigid == scene.rigid_bodies.end() || rigid->bodies.empty()) continue;
-      const auto body = std::ranges::find(scene.bodies, rigid->bodies.front(), &Body::name);
-      movers.push_back(group[body - scene.bodies.begin()]);
+      if (rigid != scene.rigid_bodies.end()) movers.push_back(group[body_with(scene, mesh, *rigid)]);
     }
   }
   return all;
@@ -366,7 +365,7 @@ Movers find_movers(const Scene& scene, const ModelMesh& mesh) {
     const bool moves = mover.speed > 0 || mover.turns || std::ranges::any_of(mover.strayed, goes);
     movers.anything_moves = movers.anything_moves || (moves && !mover.held);
   }
-  if (!scene.joints.empty()) let_joints_lead(jointed_movers(scene, groups.group), driven, movers);
+  if (!scene.joints.empty()) let_joints_lead(jointed_movers(scene, mesh, groups.group), driven, movers);
   return movers;
 }
 

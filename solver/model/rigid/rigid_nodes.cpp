@@ -102,6 +102,13 @@ std::vector<std::int32_t> rigid_body_of_bodies(const Scene& scene) {
   return of_body;
 }
 
+std::size_t body_with(const Scene& scene, const ModelMesh& mesh, const RigidBody& rigid) {
+  if (!rigid.bodies.empty())
+    return std::ranges::find(scene.bodies, rigid.bodies.front(), &Body::name) - scene.bodies.begin();
+  const auto attached = std::ranges::find(scene.attached_nodes, rigid.name, &AttachedNodes::rigid_body);
+  return mesh.body_of_node[matching_nodes(mesh, attached->nodes).front()];
+}
+
 std::vector<RigidNodes> find_rigid_nodes(const Scene& scene, const ModelMesh& mesh,
                                          const std::vector<TiedNode>& tied_nodes) {
   std::vector<RigidNodes> all(scene.rigid_bodies.size());

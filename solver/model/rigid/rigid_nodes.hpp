@@ -14,6 +14,9 @@ std::int32_t rigid_body_of_name(const Scene& scene, const std::string& name);
 /// Number of the rigid body that each body of a scene is of; -1: it deforms.
 std::vector<std::int32_t> rigid_body_of_bodies(const Scene& scene);
 
+/// A body that goes with a rigid one: the first of it or, where it has none, that of the first node attached to it.
+std::size_t body_with(const Scene& scene, const ModelMesh& mesh, const RigidBody& rigid);
+
 /// The rigid bodies of a scene, with nodes in the numbers of the scene, ascending. Nodes that other bodies share with a
 /// rigid one move with it, and those attached to it. A symmetry plane with nodes of a rigid body holds it. Throws
 /// InputError where two of them share a node, and for constraints, prescribed velocities, rigid walls and ties that act
