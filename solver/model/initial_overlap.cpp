@@ -3,6 +3,7 @@
 #include <solver/model/interfaces/body_depth.hpp>
 #include <solver/model/interfaces/overlapping_bodies.hpp>
 #include <solver/model/interfaces/piercing_edges.hpp>
+#include <solver/model/rigid/rigid_nodes.hpp>
 
 namespace pinball {
 
@@ -40,8 +41,9 @@ std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& a, const Body
 
 }  // namespace
 
-InitialOverlap find_initial_overlap(const ModelMesh& mesh, const std::vector<ContactPair>& pairs, double depth) {
-  const OverlappingBodies bodies(mesh, pairs);
+InitialOverlap find_initial_overlap(const ModelMesh& mesh, const std::vector<ContactPair>& pairs, double depth,
+                                    const std::vector<std::int32_t>& rigid) {
+  const OverlappingBodies bodies(mesh, pairs, rigid);
   InitialOverlap found;
   bodies.for_each([&](std::size_t a, std::size_t b, const Bounds& box) {
     const std::int64_t points = points_inside(mesh, bodies.parts(a), bodies.parts(b), box, depth);
@@ -55,11 +57,11 @@ InitialOverlap find_overlap_at(double time, const Scene& scene, const ModelMesh&
   std::vector<ContactPair> pairs = scene.contact_pairs;
   std::erase_if(pairs, [time](const ContactPair& pair) { return pair.end < time; });
   if (pairs.empty() && !scene.contact_pairs.empty()) return {};
-  return find_initial_overlap(mesh, pairs, depth);
+  return find_initial_overlap(mesh, pairs, depth, rigid_body_of_bodies(scene));
 }
 
 std::vector<InitialOverlap> find_initial_overlaps(const Scene& scene, const ModelMesh& mesh) {
-  const OverlappingBodies bodies(mesh, scene.contact_pairs);
+  const OverlappingBodies bodies(mesh, scene.contact_pairs, rigid_body_of_bodies(scene));
   NodeDepths depths(scene, mesh, bodies);
   std::vector<InitialOverlap> found;
   bodies.for_each([&](std::size_t a, std::size_t b, const Bounds& box) {

@@ -23,9 +23,10 @@ struct InitialOverlap {
 /// The first two bodies that overlap, by default more than rounding and curved surfaces of touching meshes do: a node
 /// or a point of an element lies inside an element of the other body, at least `depth` deep over the size of that
 /// [-], or an edge goes through the other body. Contact cannot tell from which side such bodies came. pairs: of the
-/// scene; where there are any, only bodies that these let touch are looked at. Of nodes and depths nothing is said.
+/// scene; where there are any, only bodies that these let touch are looked at. rigid: as of OverlappingBodies. Of nodes
+/// and depths nothing is said.
 InitialOverlap find_initial_overlap(const ModelMesh& mesh, const std::vector<ContactPair>& pairs = {},
-                                    double depth = 0.1);
+                                    double depth = 0.1, const std::vector<std::int32_t>& rigid = {});
 
 /// The same of bodies that may touch at a time: those whose contact pairs have ended before share space as the scene
 /// asks.

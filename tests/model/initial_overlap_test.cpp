@@ -211,6 +211,23 @@ TEST(InitialOverlaps, AreAdjusted) {
   EXPECT_TRUE(apart);
 }
 
+/// They never touch each other, also at the end, and keep their volumes.
+TEST(InitialOverlaps, OfBodiesOfOneRigidBodyAreNone) {
+  Scene scene = two_blocks({0, 0, 1.5});
+  EXPECT_FALSE(overlaps(scene).empty());
+  scene.rigid_bodies.emplace_back().bodies = {"a"};
+  scene.rigid_bodies.emplace_back().bodies = {"b"};
+  bool apart = false;
+  EXPECT_FALSE(overlaps(scene).empty()) << "of two";
+  EXPECT_GT(find_overlap_at(1, scene, build_mesh(scene), 0.2).points, 0);
+  EXPECT_GT(way_of_adjustment(scene, apart), 0.1);
+  scene.rigid_bodies.pop_back();
+  scene.rigid_bodies[0].bodies = {"a", "b"};
+  EXPECT_TRUE(overlaps(scene).empty());
+  EXPECT_EQ(find_overlap_at(1, scene, build_mesh(scene), 0.2).points, 0);
+  EXPECT_EQ(way_of_adjustment(scene, apart), 0);
+}
+
 TEST(InitialOverlaps, AreAdjustedWithinPlanesOfSymmetryAndWhereNodesAreFree) {
   Scene scene = two_blocks({0, 0, 1.8});
   scene.constraints = {{{0, 0, 0}, {1, 0, 0}, ""}};

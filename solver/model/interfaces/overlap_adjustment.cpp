@@ -8,6 +8,7 @@
 #include <solver/model/element_checks.hpp>
 #include <solver/model/initial_overlap.hpp>
 #include <solver/model/place_names.hpp>
+#include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
 #include "overlapping_bodies.hpp"
@@ -82,7 +83,7 @@ void adjust_initial_overlaps(const Scene& scene, const std::vector<TiedNode>& ti
   bool any = true;
   for (int pass = 0; pass < most_passes && any; ++pass) {
     any = false;
-    const OverlappingBodies bodies(mesh, scene.contact_pairs);
+    const OverlappingBodies bodies(mesh, scene.contact_pairs, rigid_body_of_bodies(scene));
     NodeDepths depths(scene, mesh, bodies);
     std::vector<std::pair<std::size_t, Point>> ways;
     bodies.for_each([&](std::size_t a, std::size_t b, const Bounds& box) {

@@ -1,6 +1,7 @@
 #include "overlapping_bodies.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <solver/base/faces.hpp>
 #include <solver/model/exposed_faces.hpp>
@@ -28,8 +29,9 @@ bool may_touch(const std::vector<ContactPair>& pairs, const std::string& a, cons
          });
 }
 
-OverlappingBodies::OverlappingBodies(const ModelMesh& mesh, const std::vector<ContactPair>& pairs)
-    : mesh_(mesh), pairs_(pairs), bodies_(mesh.body_names.size()) {
+OverlappingBodies::OverlappingBodies(const ModelMesh& mesh, const std::vector<ContactPair>& pairs,
+                                     std::vector<std::int32_t> rigid)
+    : mesh_(mesh), pairs_(pairs), rigid_(std::move(rigid)), bodies_(mesh.body_names.size()) {
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     BodyParts& body = bodies_[mesh.body_of_node[n]];
     body.box.take(mesh.nodes[n]);
@@ -38,11 +40,16 @@ OverlappingBodies::OverlappingBodies(const ModelMesh& mesh, const std::vector<Co
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) bodies_[mesh.body[e]].elements.push_back(e);
 }
 
+bool OverlappingBodies::may_touch(std::size_t a, std::size_t b) const {
+  const bool one = !rigid_.empty() && rigid_[a] >= 0 && rigid_[a] == rigid_[b];
+  return !one && pinball::may_touch(pairs_, mesh_.body_names[a], mesh_.body_names[b]);
+}
+
 void OverlappingBodies::for_each(const std::function<bool(std::size_t, std::size_t, const Bounds&)>& visit) const {
   for (std::size_t a = 0; a < bodies_.size(); ++a) {
     for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
       const Bounds box = common(bodies_[a].box, bodies_[b].box);
-      if (box.empty() || !may_touch(pairs_, mesh_.body_names[a], mesh_.body_names[b])) continue;
+      if (box.empty() || !may_touch(a, b)) continue;
       if (!visit(a, b, box)) return;
     }
   }

@@ -24,16 +24,20 @@ struct BodyParts {
 /// The bodies of a mesh, and which of them may share space.
 class OverlappingBodies {
  public:
-  /// pairs: of the scene; where there are any, only bodies that these let touch.
-  OverlappingBodies(const ModelMesh& mesh, const std::vector<ContactPair>& pairs);
+  /// pairs: of the scene; where there are any, only bodies that these let touch. rigid: number of the rigid body of
+  /// each body, negative: none; empty: there are none. Bodies of one never touch.
+  OverlappingBodies(const ModelMesh& mesh, const std::vector<ContactPair>& pairs, std::vector<std::int32_t> rigid);
 
   const BodyParts& parts(std::size_t body) const { return bodies_[body]; }
   /// Calls visit(a, b, box that both share) for two bodies after the other, a < b, until it returns false.
   void for_each(const std::function<bool(std::size_t, std::size_t, const Bounds&)>& visit) const;
 
  private:
+  bool may_touch(std::size_t a, std::size_t b) const;
+
   const ModelMesh& mesh_;
   const std::vector<ContactPair>& pairs_;
+  std::vector<std::int32_t> rigid_;
   std::vector<BodyParts> bodies_;
 };
 
