@@ -132,6 +132,7 @@ void BoundaryConditions<S>::add_wall_reactions(const NodeArrays<S>& nodes, doubl
     hold(nodes, time, step, due);
   }
   if (named_.any() && !cycle_ends_) {
+    held_->share_forces();
     add_held_forces(forces_before_);
     ++steps_before_;
   }

@@ -69,10 +69,11 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& 
               .time_step = result.time_step,
               .time_step_slot = result.time_step_slot,
               .inside_out_count = result.inside_out_count};
-  if (domain_) domain_->spread(model.nodes);
   volumes_.average(model);
-  for (int level = schedule.highest_level(due); level >= 0; --level) {
+  const int highest = schedule.highest_level(due);
+  for (int level = highest; level >= 0; --level) {
     schedule.show_mean_velocities(model.nodes, level);
+    if (domain_) domain_->spread(model.nodes, level);
     for_each_tile(schedule.tiles(level), [&](std::int32_t tile) {
       TileResult<S>& result = results_[tile];
       const TileResult<S> before = result;
@@ -83,37 +84,41 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& 
     });
     schedule.show_present_velocities(model.nodes, level);
   }
-  auto left_out = schedule.end_work(model, due, results_);
+  std::int64_t resting = schedule.end_work(model);
   if (domain_) {
-    domain_->collect(model.nodes);
-    left_out.resting = share_results(schedule, skips_resting);
+    domain_->collect(model.nodes, highest);
+    resting = share_results(schedule, due, skips_resting);
     share_eroded(model);
   }
   InternalForceResult<S> result = sum();
-  result.resting_elements = left_out.resting;
-  result.subcycled_elements = left_out.subcycled;
+  result.resting_elements = resting;
+  result.subcycled_elements = schedule.count_elements(due, results_);
   return result;
 }
 
-/// Makes the results of all tiles known to all ranks. skips_resting: in this step. Returns the elements that were left
-/// out because they rest.
+/// Makes the results of all tiles that were due known to all ranks. skips_resting: in this step. Returns the elements
+/// that were left out because they rest.
 template <class S>
-std::int64_t InternalForces<S>::share_results(Schedule<S>& schedule, bool skips_resting) {
+std::int64_t InternalForces<S>::share_results(Schedule<S>& schedule, const Due& due, bool skips_resting) {
   struct Report {
     TileResult<S> result;
     std::int64_t left_out, rests;
   };
+  std::vector<std::int32_t> tiles, owner;
   std::vector<Report> reports;
-  for (std::size_t t = 0; t < results_.size(); ++t) {
+  for (std::int32_t t = 0; t < std::ssize(results_); ++t) {
+    if (!schedule.is_due(t, due)) continue;
     const bool rests = schedule.rests(t);
+    tiles.push_back(t);
+    owner.push_back(domain_->rank_of_tile(t));
     reports.push_back({results_[t], skips_resting && rests ? domain_->elements_of_tile(t) : 0, rests ? 1 : 0});
   }
-  domain_->share_tiles(reports.data());
+  domain_->share(owner, reports.data());
   std::int64_t left_out = 0;
-  for (std::size_t t = 0; t < results_.size(); ++t) {
-    results_[t] = reports[t].result;
-    left_out += reports[t].left_out;
-    if (!domain_->works(t)) schedule.set_other_resting(t, reports[t].rests != 0);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    results_[tiles[i]] = reports[i].result;
+    left_out += reports[i].left_out;
+    if (!domain_->works(tiles[i])) schedule.set_other_resting(tiles[i], reports[i].rests != 0);
   }
   return left_out;
 }

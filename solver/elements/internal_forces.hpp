@@ -65,7 +65,7 @@ class InternalForces {
   template <class E>
   void work_in(Model<S>& model, std::int32_t tile, const ElementStep<S>& step, TileKernel<E, S> kernel);
   InternalForceResult<S> sum() const;
-  std::int64_t share_results(Schedule<S>& schedule, bool skips_resting);
+  std::int64_t share_results(Schedule<S>& schedule, const Due& due, bool skips_resting);
   void share_eroded(Model<S>& model);
 
   Subdomain<S>* domain_;

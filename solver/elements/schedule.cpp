@@ -8,10 +8,10 @@
 namespace pinball {
 
 template <class S>
-Schedule<S>::Schedule(const Model<S>& model, const Subdomain<S>* domain) : domain_(domain) {
+Schedule<S>::Schedule(const Model<S>& model, Subdomain<S>* domain) : domain_(domain) {
   if (model.tile_levels.empty()) return;
   const bool erodes = !model.elements.internal_energy.empty();
-  subcycling_.emplace(model, erodes || model.scene.damping.mass > 0 || !model.scene.gravities.empty());
+  subcycling_.emplace(model, erodes || model.scene.damping.mass > 0 || !model.scene.gravities.empty(), domain);
 }
 
 template <class S>
@@ -26,11 +26,9 @@ void Schedule<S>::begin_step(const Model<S>& model, const Due& due, const std::v
 }
 
 template <class S>
-typename Schedule<S>::LeftOut Schedule<S>::end_work(const Model<S>& model, const Due& due,
-                                                    const std::vector<TileResult<S>>& results) {
-  if (subcycling_) return {0, subcycling_->count_elements(results, due.step_of_cycle)};
-  if constexpr (!built::resting) return {};
-  const LeftOut left_out{resting_ && model.scene.skip.resting ? resting_->elements() : 0, 0};
+std::int64_t Schedule<S>::end_work(const Model<S>& model) {
+  if (!built::resting || subcycling_) return 0;
+  const std::int64_t left_out = resting_ && model.scene.skip.resting ? resting_->elements() : 0;
   if (!resting_) find_resting(model);
   return left_out;
 }

@@ -41,7 +41,7 @@ template <class S>
 class Schedule {
  public:
   /// domain: of several ranks, of which this schedule has the tiles; null: one process has all.
-  explicit Schedule(const Model<S>& model, const Subdomain<S>* domain = nullptr);
+  explicit Schedule(const Model<S>& model, Subdomain<S>* domain = nullptr);
 
   std::int32_t cycle_steps() const { return subcycling_ ? subcycling_->cycle_steps() : 1; }
   /// Before the elements of a step are updated. results: of each tile, when it was last updated.
@@ -49,8 +49,12 @@ class Schedule {
 
   /// The highest level whose tiles are due; they are updated from the highest to level 0.
   int highest_level(const Due& due) const { return subcycling_ ? subcycling_->due(due.step_of_cycle) : 0; }
-  /// The tiles of a level, by colour.
+  /// The tiles of a level, by colour; of several ranks those that this one works.
   const Colouring& tiles(int level) const { return subcycling_ ? subcycling_->tiles()[level] : awake_; }
+  /// Whether the step of a tile ends in the one that is made, whoever works it, and whether it rests or not.
+  bool is_due(std::int32_t tile, const Due& due) const {
+    return !subcycling_ || subcycling_->is_due(tile, due.step_of_cycle);
+  }
   /// The step that a tile makes; smallest: the smallest one just made.
   ElementStep<S> step_of(std::int32_t tile, const Due& due, const ElementStep<S>& smallest) const {
     return subcycling_ ? subcycling_->step(tile, due.all(), smallest) : smallest;
@@ -66,12 +70,13 @@ class Schedule {
     if (subcycling_) subcycling_->use_present_velocities(nodes, level);
   }
 
-  /// Elements that were not updated in a step.
-  struct LeftOut {
-    std::int64_t resting = 0, subcycled = 0;  ///< the latter without eroded ones
-  };
-  /// After the elements of a step were updated.
-  LeftOut end_work(const Model<S>& model, const Due& due, const std::vector<TileResult<S>>& results);
+  /// After the elements of a step were updated. Returns how many were not because they rest.
+  std::int64_t end_work(const Model<S>& model);
+  /// When all know what they have done: how many elements, without eroded ones, were not updated because their step
+  /// is not over.
+  std::int64_t count_elements(const Due& due, const std::vector<TileResult<S>>& results) {
+    return subcycling_ ? subcycling_->count_elements(results, due.step_of_cycle) : 0;
+  }
 
   /// The bound of elements and contact together; where all elements were updated, of the cycle that begins.
   /// element_step, slot: smallest stable step of the elements and who sets it; contact_frequency2: bound on the square
@@ -116,7 +121,7 @@ class Schedule {
   Colouring deformable(const Model<S>& model) const;
   bool works(std::int32_t tile) const { return domain_ == nullptr || domain_->works(tile); }
 
-  const Subdomain<S>* domain_;
+  Subdomain<S>* domain_;
   std::optional<Subcycling<S>> subcycling_;  ///< only where the scene asks for it
   std::optional<RestingTiles<S>> resting_;   ///< without subcycling; known once all tiles have been updated
   Colouring awake_;                          ///< the tiles to work, without subcycling

@@ -1,6 +1,7 @@
 #include "subcycling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <kernels/exec.hpp>
@@ -17,7 +18,8 @@ constexpr int longest_plan = 50;  // cycles
 }  // namespace
 
 template <class S>
-Subcycling<S>::Subcycling(const Model<S>& model, bool every_node) : every_node_(every_node) {
+Subcycling<S>::Subcycling(const Model<S>& model, bool every_node, Subdomain<S>* domain)
+    : every_node_(every_node), domain_(domain) {
   for (const TileLevels& t : model.tile_levels) {
     highest_.push_back(t.highest);
     own_.push_back(t.own);
@@ -31,6 +33,7 @@ Subcycling<S>::Subcycling(const Model<S>& model, bool every_node) : every_node_(
   find_neighbours(model);
   next_level_ = highest_;
   begin_cycle(model);
+  if (domain_ != nullptr) domain_->keep_with_state([this] { share_mixed_nodes(); });
 }
 
 template <class S>
@@ -133,8 +136,11 @@ void Subcycling<S>::sort_by_level(const Model<S>& model) {
   top_ = *std::max_element(level_.begin(), level_.end());
   tiles_.clear();
   for (int l = 0; l <= top_; ++l) {
-    tiles_.push_back(chosen_of(model.tile_colours, [&](std::int32_t tile) { return level_[tile] == l; }));
+    tiles_.push_back(chosen_of(model.tile_colours, [&](std::int32_t tile) {
+      return level_[tile] == l && (domain_ == nullptr || domain_->works(tile));
+    }));
   }
+  if (domain_ != nullptr) domain_->set_levels(level_);
 
   const std::int32_t count = model.nodes.count;
   std::vector<std::int8_t> kicked(count);  // level at which a node gets impulses
@@ -219,6 +225,29 @@ void Subcycling<S>::count_step(NodeStore<S>& nodes) {
       }
     });
     ++mixed.steps;
+  }
+}
+
+/// A rank has those of nodes that it moves.
+template <class S>
+void Subcycling<S>::share_mixed_nodes() {
+  struct OfNode {
+    std::array<S, 3> first, differences;
+  };
+  for (MixedNodes& mixed : mixed_) {
+    if (mixed.node.empty()) continue;
+    std::vector<std::int32_t> owner;
+    std::vector<OfNode> all(mixed.node.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      owner.push_back(domain_->rank_of_node(mixed.node[i]));
+      std::copy_n(mixed.first.begin() + 3 * i, 3, all[i].first.begin());
+      std::copy_n(mixed.differences.begin() + 3 * i, 3, all[i].differences.begin());
+    }
+    domain_->share(owner, all.data());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      std::copy_n(all[i].first.begin(), 3, mixed.first.begin() + 3 * i);
+      std::copy_n(all[i].differences.begin(), 3, mixed.differences.begin() + 3 * i);
+    }
   }
 }
 

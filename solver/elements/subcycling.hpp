@@ -10,6 +10,7 @@
 #include <solver/model/model.hpp>
 #include <solver/model/node_spans.hpp>
 #include <solver/model/step_levels.hpp>
+#include <solver/parallel/subdomain.hpp>
 
 #include "tile_kernels.hpp"
 
@@ -34,13 +35,15 @@ namespace pinball {
 template <class S>
 class Subcycling {
  public:
-  /// every_node: all nodes make the smallest step, because something else than elements acts on all of them.
-  Subcycling(const Model<S>& model, bool every_node);
+  /// every_node: all nodes make the smallest step, because something else than elements acts on all of them. domain: of
+  /// several ranks, which choose the same levels; null: one process works all tiles. Has to stay where it is.
+  Subcycling(const Model<S>& model, bool every_node, Subdomain<S>* domain = nullptr);
 
   std::int32_t cycle_steps() const { return 1 << top_; }
   int levels() const { return top_ + 1; }
   /// The highest level that is updated in a step of the cycle; step 0 updates all.
   int due(std::int32_t step) const { return step == 0 ? top_ : std::countr_zero(static_cast<std::uint32_t>(step)); }
+  bool is_due(std::int32_t tile, std::int32_t step) const { return level_[tile] <= due(step); }
 
   /// Chooses the levels of the coming cycle, before the tiles are updated in the step that begins it.
   /// contact_frequency2: bound on the square of the contact frequency [1/time^2].
@@ -48,7 +51,8 @@ class Subcycling {
   /// Takes what was planned, after the tiles were updated.
   void begin_cycle(const Model<S>& model);
 
-  const std::vector<Colouring>& tiles() const { return tiles_; }  ///< of each level, by colour
+  /// Of each level, by colour; of several ranks those that this one works.
+  const std::vector<Colouring>& tiles() const { return tiles_; }
   /// The step that a tile makes when it is updated; dt: the smallest step, of the time since it was updated before.
   ElementStep<S> step(std::int32_t tile, bool begins_cycle, const ElementStep<S>& smallest) const;
   /// Puts mean velocities in the places of those of nodes that move otherwise within the steps of a level; and back.
@@ -87,6 +91,7 @@ class Subcycling {
 
   /// The tiles of each level, and what follows from them for the nodes.
   void sort_by_level(const Model<S>& model);
+  void share_mixed_nodes();
   template <class Body>
   static void for_each_mixed_node(const MixedNodes& mixed, NodeStore<S>& nodes, const Body& body);
   std::vector<StepGroup> groups(const std::vector<TileResult<S>>& tiles, double contact_frequency2) const;
@@ -95,6 +100,7 @@ class Subcycling {
   void lower_beside_squeezed(const std::vector<StepGroup>& groups, std::vector<int>& levels) const;
 
   bool every_node_;
+  Subdomain<S>* domain_;
   int top_ = 0;
   std::vector<int> level_, next_level_;  ///< per tile
   std::vector<int> highest_, own_;       ///< per tile, from the mesh

@@ -10,7 +10,7 @@ namespace pinball {
 template <class S>
 CornerExchange<S>::CornerExchange(Model<S>& model, const CornerPlan& plan,
                                   const std::vector<std::int32_t>& rank_of_tile, Ranks& ranks)
-    : plan_(plan), ranks_(ranks), received_(3 * static_cast<std::size_t>(plan.received)) {
+    : plan_(plan), due_(plan, {}), ranks_(ranks), received_(3 * static_cast<std::size_t>(plan.received)) {
   corner_.renew(model.elements.corner.size());
   std::copy_n(model.elements.corner.data(), corner_.size(), corner_.data());
   auto record = static_cast<std::int32_t>(model.nodes.count);
@@ -33,33 +33,38 @@ void CornerExchange<S>::repeat_in_padding(const Model<S>& model, const std::vect
 }
 
 template <class S>
-void CornerExchange<S>::spread(NodeStore<S>& nodes) const {
-  parallel_for("corners of several ranks", RangePolicy<>{0, std::ssize(plan_.own)}, [&](std::int64_t r) {
-    const std::int32_t node = plan_.own[r].node;
+void CornerExchange<S>::spread(NodeStore<S>& nodes, int level) const {
+  const std::vector<std::int32_t>& own = due_.own[level];
+  parallel_for("corners of several ranks", RangePolicy<>{0, std::ssize(own)}, [&](std::int64_t i) {
+    const std::int32_t r = own[i], node = plan_.own[r].node;
     std::copy_n(nodes.position_of(node), 4, nodes.position_of(nodes.count + r));
     std::copy_n(nodes.velocity_of(node), 4, nodes.velocity_of(nodes.count + r));
   });
 }
 
 template <class S>
-void CornerExchange<S>::collect(NodeStore<S>& nodes) {
+void CornerExchange<S>::collect(NodeStore<S>& nodes, int level) {
   std::vector<RankMessage> messages;
   for (std::size_t n = 0; n < sent_.size(); ++n) {
     const CornerPlan::Neighbour& of = plan_.neighbours[n];
+    const DueCorners::Neighbour& due = due_.neighbours[n];
+    const std::int64_t count = due.sent_up_to[level];
     std::vector<S>& sent = sent_[n];
-    parallel_for("forces for another rank", RangePolicy<>{0, std::ssize(of.sent)}, [&](std::int64_t r) {
-      std::copy_n(nodes.force_of(nodes.count + of.sent[r]), 3, sent.data() + 3 * r);
+    parallel_for("forces for another rank", RangePolicy<>{0, count}, [&](std::int64_t r) {
+      std::copy_n(nodes.force_of(nodes.count + due.sent[r]), 3, sent.data() + 3 * r);
     });
-    const std::span<S> received(received_.data() + 3 * of.first, 3 * static_cast<std::size_t>(of.count));
-    messages.push_back({of.rank, std::as_bytes(std::span(sent)), std::as_writable_bytes(received)});
+    const std::span<const S> own(sent.data(), 3 * static_cast<std::size_t>(count));
+    const std::span<S> others(received_.data() + 3 * of.first, 3 * static_cast<std::size_t>(due.received_up_to[level]));
+    messages.push_back({of.rank, std::as_bytes(own), std::as_writable_bytes(others)});
   }
   ranks_.exchange(messages);
-  ranks_.bytes_given += plan_.records * static_cast<std::int64_t>(3 * sizeof(S));
+  ranks_.bytes_given += due_.records[level] * static_cast<std::int64_t>(3 * sizeof(S));
   parallel_for("forces of several ranks", RangePolicy<>{0, std::ssize(plan_.nodes)}, [&](std::int64_t n) {
     S* const force = nodes.force_of(plan_.nodes[n]);
     S sum[3] = {force[0], force[1], force[2]};
     for (std::int64_t s = plan_.first[n]; s < plan_.first[n + 1]; ++s) {
-      const std::int64_t source = plan_.source[s];
+      const auto [source, of_level] = due_.sources[s];
+      if (of_level > level) continue;
       const S* const value = source >= 0 ? nodes.force_of(nodes.count + source) : received_.data() + 3 * (-1 - source);
       for (int k = 0; k < 3; ++k) sum[k] += value[k];
     }
@@ -70,7 +75,7 @@ void CornerExchange<S>::collect(NodeStore<S>& nodes) {
 
 template <class S>
 std::size_t CornerExchange<S>::bytes() const {
-  std::size_t sum = corner_.bytes() + received_.size() * sizeof(S);
+  std::size_t sum = corner_.bytes() + due_.bytes() + received_.size() * sizeof(S);
   for (const std::vector<S>& of : sent_) sum += of.size() * sizeof(S);
   return sum;
 }

@@ -7,6 +7,7 @@
 #include <solver/model/model.hpp>
 
 #include "corner_plan.hpp"
+#include "due_corners.hpp"
 #include "ranks.hpp"
 
 namespace pinball {
@@ -22,10 +23,13 @@ class CornerExchange {
 
   /// ElementView::corner of the elements of this rank.
   const std::int32_t* corner() const { return corner_.data(); }
-  /// Before the elements are worked: positions and velocities of nodes go to the records of their corners.
-  void spread(NodeStore<S>& nodes) const;
-  /// Afterwards: adds the forces of all corners to those of the nodes, and clears those of the records.
-  void collect(NodeStore<S>& nodes);
+  /// Which tiles are worked in which step (Subcycling); at first all are of level 0, and so in all.
+  void set_levels(const std::vector<int>& level_of_tile) { due_ = DueCorners(plan_, level_of_tile); }
+  /// Before the elements of a level are worked: positions and velocities of nodes go to the records of their corners.
+  void spread(NodeStore<S>& nodes, int level) const;
+  /// Afterwards: adds the forces of all corners that were worked to those of the nodes, and clears those of the
+  /// records. level: the highest that was due.
+  void collect(NodeStore<S>& nodes, int level);
 
   std::size_t bytes() const;
 
@@ -33,6 +37,7 @@ class CornerExchange {
   void repeat_in_padding(const Model<S>& model, const std::vector<std::int32_t>& rank_of_tile);
 
   const CornerPlan& plan_;
+  DueCorners due_;
   Ranks& ranks_;
   Array<std::int32_t> corner_;
   std::vector<std::vector<S>> sent_;  ///< to each neighbour

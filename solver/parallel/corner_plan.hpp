@@ -16,7 +16,7 @@ struct CornerPlan {
   /// A corner of an element of this rank at a node of several.
   struct Corner {
     std::int64_t slot;
-    std::int32_t corner, node;
+    std::int32_t corner, node, tile;
   };
   struct Neighbour {
     std::int32_t rank = 0;
@@ -35,8 +35,10 @@ struct CornerPlan {
   std::vector<std::int32_t> nodes;   ///< of several ranks, held by this one
   std::vector<std::int64_t> first;   ///< [nodes + 1]: their part of `source`
   std::vector<std::int64_t> source;  ///< in `own`; or -1 - number of a force that is received
-  std::int64_t records = 0;          ///< forces that all ranks together send in a step
-  std::int64_t messages = 0;         ///< in which they do
+  std::vector<std::int32_t> tile_of_source;
+  std::vector<std::int64_t> records_of_tile;  ///< forces that its rank sends
+  std::int64_t records = 0;                   ///< all of them: what all ranks together send where all tiles are worked
+  std::int64_t messages = 0;                  ///< in which they do
   std::size_t bytes() const;
 
  private:

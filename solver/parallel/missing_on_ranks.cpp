@@ -12,28 +12,26 @@
 namespace pinball {
 
 std::string missing_on_ranks(const Scene& scene, bool averages_volumes) {
+  if (scene.device == Device::none) return "";
   std::vector<std::string> missing;
   const auto add = [&missing](bool is_there, const char* what) {
     if (is_there) missing.emplace_back(what);
   };
   add(scene.time.subcycling, "subcycling");
-  if (scene.device != Device::none) {
-    add(scene.contact.method != ContactMethod::none, "contact");
-    add(!scene.tied_contacts.empty(), "tied contact");
-    add(!scene.rigid_bodies.empty(), "rigid bodies");
-    add(averages_volumes, "elements with averaged volumes");
-  }
+  add(scene.contact.method != ContactMethod::none, "contact");
+  add(!scene.tied_contacts.empty(), "tied contact");
+  add(!scene.rigid_bodies.empty(), "rigid bodies");
+  add(averages_volumes, "elements with averaged volumes");
   return fmt::format("{}", fmt::join(missing, ", "));
 }
 
 void require_ranks_can(const Scene& scene, bool averages_volumes) {
   const std::string missing = missing_on_ranks(scene, averages_volumes);
   if (missing.empty()) return;
-  const bool on_devices = scene.device != Device::none;
-  throw InputError(fmt::format(
-      "{}several ranks{} cannot do this scene yet: it has {}; expected {}one process, without "
-      "mpirun",
-      message_head(scene), on_devices ? " with a device each" : "", missing, on_devices ? "--device none, or " : ""));
+  throw InputError(
+      fmt::format("{}several ranks with a device each cannot do this scene yet: it has {}; expected --device none, or "
+                  "one process, without mpirun",
+                  message_head(scene), missing));
 }
 
 }  // namespace pinball

@@ -105,7 +105,10 @@ void Subdomain<S>::connect_sums(Model<S>& model) {
   corners_.reset();
   plan_.emplace(model, rank_of_tile_, holders_, ranks_.number());
   ++plans_;
-  if (!on_device_) corners_.emplace(model, *plan_, rank_of_tile_, ranks_);
+  if (!on_device_) {
+    corners_.emplace(model, *plan_, rank_of_tile_, ranks_);
+    corners_->set_levels(level_of_tile_);
+  }
   find_worked();
 }
 
@@ -122,16 +125,23 @@ std::int32_t Subdomain<S>::rank_of_slot(std::int64_t slot) const {
 }
 
 template <class S>
-void Subdomain<S>::begin_step() {
+void Subdomain<S>::begin_cycle() {
   is_whole_ = false;
   in_step_ = waits_ = true;
   bytes_before_ = ranks_.bytes_given;
+  steps_of_cycle_ = 0;
 }
 
 template <class S>
-void Subdomain<S>::end_step() {
+void Subdomain<S>::end_cycle() {
   in_step_ = waits_ = false;
-  bytes_of_step_ = ranks_.bytes_given - bytes_before_;
+  bytes_per_step_ = (ranks_.bytes_given - bytes_before_) / std::max<std::int64_t>(1, steps_of_cycle_);
+}
+
+template <class S>
+void Subdomain<S>::set_levels(const std::vector<int>& level_of_tile) {
+  level_of_tile_ = level_of_tile;
+  if (corners_) corners_->set_levels(level_of_tile_);
 }
 
 template <class S>
@@ -303,7 +313,7 @@ SharedWork Subdomain<S>::work() const {
           .records = plan_ ? plan_->records : 0,
           .messages = plan_ ? plan_->messages : 0,
           .common_nodes = common_.count(),
-          .bytes_per_step = bytes_of_step_,
+          .bytes_per_step = bytes_per_step_,
           .most_elements = most,
           .imbalance = static_cast<double>(most) * ranks_.count() / all,
           .devices = devices_};

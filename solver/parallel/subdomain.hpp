@@ -37,10 +37,10 @@ enum class RankOrder : std::int32_t {
 /// How a run is shared by ranks.
 struct SharedWork {
   int ranks = 1;
-  std::int64_t records = 0;          ///< forces of corners that all send in a step
+  std::int64_t records = 0;          ///< forces of corners that all send in a step that works all elements
   std::int64_t messages = 0;         ///< in which they do, each of one rank to one other
   std::int64_t common_nodes = 0;     ///< that all ranks move
-  std::int64_t bytes_per_step = 0;   ///< that all send in the last step
+  std::int64_t bytes_per_step = 0;   ///< that all send in the last step; with subcycling the mean of its cycle
   std::int64_t most_elements = 0;    ///< of one rank
   double imbalance = 1;              ///< most_elements over the mean of all ranks
   std::vector<std::string> devices;  ///< of each rank; empty: the host works all elements
@@ -88,17 +88,24 @@ class Subdomain final : public SharedNodes {
   // ---- In a step ----
 
   bool works(std::int64_t tile) const { return rank_of_tile_[tile] == ranks_.number(); }
-  void begin_step();
-  void end_step();
+  void begin_cycle();
+  void begin_step() {
+    is_whole_ = false;
+    ++steps_of_cycle_;
+  }
+  void end_cycle();
   /// Which forces cross between ranks; another one when plans() is another number.
   const CornerPlan& corner_plan() const { return *plan_; }
   std::int64_t plans() const { return plans_; }
   // Of ranks whose elements the host works:
   /// Nodes at the corners of elements as kernels see them (ElementView).
   const std::int32_t* corner() const { return corners_->corner(); }
-  void spread(NodeStore<S>& nodes) const { corners_->spread(nodes); }
-  void collect(NodeStore<S>& nodes) {
-    corners_->collect(nodes);
+  /// Of all tiles, from the next step on; with subcycling.
+  void set_levels(const std::vector<int>& level_of_tile);
+  void spread(NodeStore<S>& nodes, int level) const { corners_->spread(nodes, level); }
+  /// level: the highest that was due.
+  void collect(NodeStore<S>& nodes, int level) {
+    corners_->collect(nodes, level);
     common_.share_forces(nodes);
   }
   /// With each other rank at most one message; bytes: of all that ranks send to each other in this.
@@ -172,6 +179,7 @@ class Subdomain final : public SharedNodes {
   std::optional<CornerPlan> plan_;            ///< from connect() on
   std::int64_t plans_ = 0;                    ///< that were made
   std::optional<CornerExchange<S>> corners_;  ///< from connect() on; not on a device
+  std::vector<int> level_of_tile_;            ///< set_levels(); empty: all tiles are of one
   std::vector<std::function<void()>> kept_;
   std::function<void()> bring_own_;
   std::string device_;
@@ -181,7 +189,8 @@ class Subdomain final : public SharedNodes {
   bool in_step_ = false;
   bool waits_ = false;    ///< messages are on their way
   bool is_whole_ = true;  ///< the model has the state of all ranks
-  std::int64_t bytes_before_ = 0, bytes_of_step_ = 0;
+  std::int64_t bytes_before_ = 0, bytes_per_step_ = 0;
+  std::int64_t steps_of_cycle_ = 0;
 };
 
 }  // namespace pinball

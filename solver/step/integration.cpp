@@ -72,7 +72,7 @@ MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLen
   std::vector<MotionEnergy> of_span(spans);
   for (const SharedBlocks::Run& run : domain->node_blocks().worked()) {
     parallel_for("integration", RangePolicy<>{run.begin, run.end},
-                 [&](std::int64_t span) { of_span[span] = integrate(span); });
+                 [&](std::int64_t span) { of_span[span] = due.contain(span) ? integrate(span) : MotionEnergy(); });
   }
   domain->node_blocks().gather(of_span.data());
   return sum_of_spans(spans, due, [&](std::int64_t span) { return of_span[span]; });

@@ -50,14 +50,14 @@ void Solver<S>::advance(bool last) {
     make_cycle(last);
     return;
   }
-  domain_->begin_step();
+  domain_->begin_cycle();
   try {
     make_cycle(last);
   } catch (const RunError&) {
-    domain_->end_step();
+    domain_->end_cycle();
     throw;
   }
-  domain_->end_step();
+  domain_->end_cycle();
 }
 
 template void Solver<double>::follow_rank_0();

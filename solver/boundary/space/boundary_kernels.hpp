@@ -45,6 +45,8 @@ class HeldNodeKernels {
   virtual void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const = 0;
   /// What constraints that begin to hold take from the nodes, before their first constrain() [energy].
   virtual double energy_along(const NodeArrays<S>& nodes, const StepLengths& step) const = 0;
+  /// All ranks get what each has of the forces since clear_forces().
+  virtual void share_forces() = 0;
   /// Of all constraints of one table, and of all prescriptions, since clear_forces().
   virtual VectorSum force_of_constraint(std::int32_t table) const = 0;
   virtual VectorSum force_of_prescribed(std::int32_t table) const = 0;

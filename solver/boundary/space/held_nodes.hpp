@@ -77,6 +77,10 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
                    EnergyAlong<S>{nodes, constraints_.data(), step.before}, sum);
     return sum;
   }
+  void share_forces() override {
+    if (!owner_moved_.empty()) share_array(*sharing_, owner_moved_, reaction_);
+    if (!owner_held_.empty()) share_array(*sharing_, owner_held_, held_);
+  }
   VectorSum force_of_constraint(std::int32_t table) const override {
     VectorSum sum;
     const ForceOfTable<double, NodeConstraint<S>> of_table{constraints_.data(), table, held_.data()};
@@ -118,11 +122,6 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
     for (const Entry& entry : list) owner.push_back(sharing_->rank_of_node(entry.node));
     return owner;
   }
-  void share_forces() {
-    if (!owner_moved_.empty()) share_array(*sharing_, owner_moved_, reaction_);
-    if (!owner_held_.empty()) share_array(*sharing_, owner_held_, held_);
-  }
-
   using Memory = typename Space::memory_space;
   static std::int64_t count(const Array<std::int32_t, Memory>& first) {
     return first.empty() ? 0 : static_cast<std::int64_t>(first.size()) - 1;

@@ -5,7 +5,6 @@
 #include <string>
 
 #include <solver/base/error.hpp>
-#include <solver/parallel/missing_on_ranks.hpp>
 #include <solver/parallel/planned_ranks.hpp>
 #include <solver/program/text_table.hpp>
 #include <solver/step/solver.hpp>
@@ -45,11 +44,6 @@ std::vector<std::string> line_of(const Scene& scene, int count) {
 template <class S>
 void print_ranks(const Scene& scene, const std::vector<int>& counts) {
   fmt::print("on several processes (mpirun -n)\n");
-  const std::string missing = missing_on_ranks(scene, false);
-  if (!missing.empty()) {
-    fmt::print("  not yet, for its {}\n", missing);
-    return;
-  }
   std::vector<std::vector<std::string>> lines{
       {"ranks", "most elements", "over the mean", "forces", "messages", "common nodes", "gathers", "bytes in a step"}};
   for (const int count : counts) lines.push_back(line_of<S>(scene, count));
