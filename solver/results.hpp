@@ -206,7 +206,7 @@ struct ParallelRun {
   std::int64_t messages = 0;         ///< in which they do, each of one rank to one other
   std::int64_t common_nodes = 0;     ///< that all ranks move, those of contact, ties and rigid bodies
   std::int64_t bytes_per_step = 0;   ///< that they send in the last step, or the mean of its cycle
-  double imbalance = 1;              ///< elements of the rank that has most of them, over their mean
+  double imbalance = 1;              ///< work of the rank that has most of it, over the mean
   std::vector<std::string> devices;  ///< that work the elements of each rank; empty: the processors do
 };
 

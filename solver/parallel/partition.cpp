@@ -9,12 +9,12 @@ namespace pinball {
 
 namespace {
 
-/// Consecutive tiles, as many elements for each rank as whole tiles allow.
-std::vector<std::int32_t> ranges(const std::vector<std::int32_t>& elements, std::int64_t ranks) {
-  const std::int64_t all = std::accumulate(elements.begin(), elements.end(), std::int64_t{0});
+/// Consecutive tiles, as much work for each rank as whole tiles allow.
+std::vector<std::int32_t> ranges(const std::vector<std::int32_t>& work, std::int64_t ranks) {
+  const std::int64_t all = std::accumulate(work.begin(), work.end(), std::int64_t{0});
   std::vector<std::int32_t> rank_of;
   std::int64_t before = 0;
-  for (const std::int32_t of_tile : elements) {  // by the middle of the tile
+  for (const std::int32_t of_tile : work) {  // by the middle of the tile
     const std::int64_t rank = (2 * before + of_tile) * ranks / (2 * all);
     rank_of.push_back(static_cast<std::int32_t>(std::min(rank, ranks - 1)));
     before += of_tile;
@@ -60,8 +60,8 @@ TileGraph graph_of(const Model<S>& model) {
   }
   std::sort(edges.begin(), edges.end());
   TileGraph graph;
-  graph.elements = elements_of_tiles(model);
-  graph.first.assign(graph.elements.size() + 1, 0);
+  graph.work = work_of_tiles(model);
+  graph.first.assign(graph.work.size() + 1, 0);
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (e > 0 && edges[e] == edges[e - 1]) {
       ++graph.shared.back();
@@ -87,6 +87,15 @@ std::vector<std::int32_t> elements_of_tiles(const Model<S>& model) {
 }
 
 template <class S>
+std::vector<std::int32_t> work_of_tiles(const Model<S>& model) {
+  std::vector<std::int32_t> work = elements_of_tiles(model);
+  if (model.tile_levels.empty()) return work;
+  const int top = std::ranges::max_element(model.tile_levels, {}, &TileLevels::highest)->highest;
+  for (std::size_t t = 0; t < work.size(); ++t) work[t] <<= top - model.tile_levels[t].highest;
+  return work;
+}
+
+template <class S>
 std::vector<std::int32_t> ranks_of_tiles(const Model<S>& model, const Ranks& ranks) {
   switch (ranks.partition.by) {
     case Partition::By::graph:
@@ -96,11 +105,13 @@ std::vector<std::int32_t> ranks_of_tiles(const Model<S>& model, const Ranks& ran
     case Partition::By::tiles:
       break;
   }
-  return ranges(elements_of_tiles(model), ranks.count());
+  return ranges(work_of_tiles(model), ranks.count());
 }
 
 template std::vector<std::int32_t> elements_of_tiles(const Model<double>&);
 template std::vector<std::int32_t> elements_of_tiles(const Model<float>&);
+template std::vector<std::int32_t> work_of_tiles(const Model<double>&);
+template std::vector<std::int32_t> work_of_tiles(const Model<float>&);
 template std::vector<std::int32_t> ranks_of_tiles(const Model<double>&, const Ranks&);
 template std::vector<std::int32_t> ranks_of_tiles(const Model<float>&, const Ranks&);
 

@@ -13,7 +13,7 @@ struct TileGraph {
   std::vector<std::int32_t> first;      ///< [tiles + 1]: where the neighbours of a tile begin
   std::vector<std::int32_t> neighbour;  ///< tile after tile
   std::vector<std::int32_t> shared;     ///< nodes that the two share, beside `neighbour`
-  std::vector<std::int32_t> elements;   ///< per tile
+  std::vector<std::int32_t> work;       ///< per tile: work_of_tiles()
 };
 
 /// How tiles are given to ranks; no result depends on it.

@@ -20,6 +20,7 @@ template <class S>
 Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
     : SharedNodes(ranks),
       elements_of_tile_(elements_of_tiles(model)),
+      work_of_tile_(work_of_tiles(model)),
       rank_of_tile_((require_ranks_can(model.scene, model.averages_volumes()), ranks_of_tiles(model, ranks))),
       tile_packs_(model.tile_packs),
       pack_width_(model.elements.width),
@@ -305,16 +306,19 @@ void Subdomain<S>::gather_ranges(Array<E>& array, const std::vector<std::int32_t
 
 template <class S>
 SharedWork Subdomain<S>::work() const {
-  std::vector<std::int64_t> elements(ranks_.count(), 0);
-  for (std::size_t t = 0; t < rank_of_tile_.size(); ++t) elements[rank_of_tile_[t]] += elements_of_tile_[t];
-  const double all = std::accumulate(elements.begin(), elements.end(), 0.0);
-  const std::int64_t most = *std::ranges::max_element(elements);
+  std::vector<std::int64_t> elements(ranks_.count(), 0), work(ranks_.count(), 0);
+  for (std::size_t t = 0; t < rank_of_tile_.size(); ++t) {
+    elements[rank_of_tile_[t]] += elements_of_tile_[t];
+    work[rank_of_tile_[t]] += work_of_tile_[t];
+  }
+  const double all = std::accumulate(work.begin(), work.end(), 0.0);
+  const std::int64_t most = *std::ranges::max_element(work);
   return {.ranks = ranks_.count(),
           .records = plan_ ? plan_->records : 0,
           .messages = plan_ ? plan_->messages : 0,
           .common_nodes = common_.count(),
           .bytes_per_step = bytes_per_step_,
-          .most_elements = most,
+          .most_elements = *std::ranges::max_element(elements),
           .imbalance = static_cast<double>(most) * ranks_.count() / all,
           .devices = devices_};
 }

@@ -42,7 +42,7 @@ struct SharedWork {
   std::int64_t common_nodes = 0;     ///< that all ranks move
   std::int64_t bytes_per_step = 0;   ///< that all send in the last step; with subcycling the mean of its cycle
   std::int64_t most_elements = 0;    ///< of one rank
-  double imbalance = 1;              ///< most_elements over the mean of all ranks
+  double imbalance = 1;              ///< work of the rank that has most of it, over the mean (work_of_tiles)
   std::vector<std::string> devices;  ///< of each rank; empty: the host works all elements
 };
 
@@ -162,7 +162,7 @@ class Subdomain final : public SharedNodes {
   template <class E, class Range>
   void gather_ranges(Array<E>& array, const std::vector<std::int32_t>& owner, const Range& range, bool to_all);
 
-  std::vector<std::int32_t> elements_of_tile_, rank_of_tile_;
+  std::vector<std::int32_t> elements_of_tile_, work_of_tile_, rank_of_tile_;
   std::vector<std::int64_t> tile_packs_;  ///< Model::tile_packs
   int pack_width_;
   NodeHolders holders_;

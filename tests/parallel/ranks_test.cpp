@@ -46,6 +46,25 @@ TEST(Partition, OfRangesGivesEachRankItsShareOfConsecutiveTiles) {
   }
 }
 
+/// With subcycling elements of small steps are worked more often.
+TEST(Partition, OfRangesGivesEachRankItsShareOfTheStepsOfElements) {
+  const Scene scene = bar_with_thin_section(1, 4);
+  const Model<double> model = build_model<double>(scene);
+  const std::vector<std::int32_t> work = work_of_tiles(model);
+  const int all = std::reduce(work.begin(), work.end()), fine = 16 * 10, cubes = 16 * 22;
+  EXPECT_EQ(all, 4 * fine + cubes);
+  for (const int count : {2, 3, 4}) {
+    const std::vector<std::int32_t> rank = partition_of(model, count, {});
+    std::vector<int> of_rank(count, 0);
+    for (std::size_t t = 0; t < rank.size(); ++t) of_rank[rank[t]] += work[t];
+    const int largest = *std::ranges::max_element(work);
+    for (const int own : of_rank) EXPECT_NEAR(own, static_cast<double>(all) / count, largest) << count;
+    const SharedWork shared =
+        solved_on<double>(count, {}, scene, [](Solver<double>& solver) { return solver.shared_work(); });
+    EXPECT_EQ(shared.imbalance, *std::ranges::max_element(of_rank) * count / static_cast<double>(all));
+  }
+}
+
 TEST(Partition, AtRandomFollowsItsSeedAndUsesAllRanks) {
   const Model<double> model = build_model<double>(cube());
   const std::vector<std::int32_t> rank = partition_of(model, 4, {Partition::By::random, 1});

@@ -66,7 +66,7 @@ class ThreadRanks final : public Ranks {
   }
   std::vector<std::int32_t> cut(const TileGraph& tiles) const override {  // as bad as can be: one after the other
     std::vector<std::int32_t> part;
-    for (std::size_t t = 0; t < tiles.elements.size(); ++t) part.push_back(static_cast<std::int32_t>(t) % count());
+    for (std::size_t t = 0; t < tiles.work.size(); ++t) part.push_back(static_cast<std::int32_t>(t) % count());
     return part;
   }
 
