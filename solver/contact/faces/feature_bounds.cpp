@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <compare>
-#include <utility>
 
 #include <kernels/exec.hpp>
+#include <kernels/gather.hpp>
 #include <solver/base/lists_in_order.hpp>
 
 namespace pinball {
@@ -34,6 +34,12 @@ constexpr Facing<S> any_direction{{S(0), S(0), S(0)}, S(2)};
 /// not be looked for with all that is around them.
 template <class S>
 constexpr S strays_ahead = 4;
+
+/// A bound of the box that nothing is in.
+template <class T>
+T number_of_nothing(int bound) {
+  return number<T>(bound % 6 < 3 ? HUGE_VAL : -HUGE_VAL);
+}
 
 RangePolicy<> all_of(std::int64_t count) { return {0, count}; }
 
@@ -93,30 +99,82 @@ void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<
   node_box_.resize(surface.slaves().size());
   facing_.resize(surface.segments().size());
   boxes_.reset(segments + spheres.count());
-  parallel_for("facing of segments", all_of(surface.segments().size()), [&](std::int64_t i) {
-    const auto& corners = surface.segments()[i].node;
-    const auto start = [&](int k) { return std::pair(vector_of(nodes.x(corners[k])), vector_of(nodes.v(corners[k]))); };
-    facing_[i] = facing_of(corners, start, strays_ahead<S>);
-  });
-  if (order_.empty()) choose_order(surface);
+  if (order_.empty()) {
+    bound_segments(nodes, surface, scope, false);
+    choose_order(surface);
+  }
+  bound_segments(nodes, surface, scope, true);
   find_directions(surface);
   parallel_for("boxes of nodes", all_of(node_box_.size()), [&](std::int64_t i) {
     const std::int32_t node = surface.slaves()[i].node;
     node_box_[i] = box_of(vector_of(nodes.x(node)), vector_of(nodes.v(node)), node);
     widen(node_box_[i], static_cast<S>(scope.depth[i]));
   });
-  parallel_for("boxes of segments", all_of(surface.segments().size()), [&](std::int64_t i) {
-    if (surface.active_segment(i)) {
-      renew_box(surface, i);
-    } else {
-      boxes_.set(place_[i], empty_box<S>());
-    }
-  });
   parallel_for("boxes of spheres", all_of(spheres.spheres().size()), [&](std::int64_t i) {
     const auto& sphere = spheres.spheres()[i];
     MovingBox<S> box = box_of(vector_of(nodes.x(sphere.node)), vector_of(nodes.v(sphere.node)), sphere.node);
     widen(box, S(1.01) * sphere.radius);
     boxes_.set(segments + static_cast<std::int32_t>(i), box);
+  });
+}
+
+template <class S>
+void FeatureBounds<S>::bound_segments(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface,
+                                      const ListScope<S>& scope, bool with_boxes) {
+  using T = Pack<S, native_width<S>>;
+  constexpr int W = width_of<T>;
+  const std::int64_t segments = std::ssize(surface.segments());
+  parallel_for("bounds of segments", all_of((segments + W - 1) / W), [&](std::int64_t pack) {
+    std::int32_t number[W];
+    alignas(64) std::int32_t node[4][W];
+    alignas(64) S allowed[4][W], reach[4][W], wider[W], is_active[W];
+    const int count = static_cast<int>(std::min<std::int64_t>(W, segments - pack * W));
+    for (int i = 0; i < W; ++i) {  // padding repeats the last segment
+      const std::int64_t place = pack * W + std::min(i, count - 1);
+      number[i] = order_.empty() ? static_cast<std::int32_t>(place) : order_[place];
+      const auto& segment = surface.segments()[number[i]];
+      const auto& slaves = surface.slaves_of(number[i]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        node[k][i] = segment.node[k];
+        allowed[k][i] = motion_->allowance(std::array{segment.node[k]});
+        reach[k][i] = allowed[k][i] + leap_ + static_cast<S>(scope.depth[slaves[k]]);
+      }
+      wider[i] = static_cast<S>(near_gap) * segment.size;
+      is_active[i] = i < count && surface.active_segment(number[i]) ? S(1) : S(0);
+    }
+    Vec3<T> x[4], v[4];
+    T allowance[4];
+    for (int k = 0; k < 4; ++k) {
+      x[k] = gather_vectors<T>(nodes.position, node[k]);
+      v[k] = gather_vectors<T>(nodes.velocity, node[k]);
+      allowance[k] = load<T>(allowed[k]);
+    }
+    const Facing<T> facing = facing_of(x, v, allowance, strays_ahead<S>);
+    for (int i = 0; i < count; ++i) {
+      facing_[number[i]] = {{lane(facing.normal.x, i), lane(facing.normal.y, i), lane(facing.normal.z, i)},
+                            lane(facing.angle, i)};
+    }
+    if (!with_boxes) return;
+    T bound[12];
+    for (int c = 0; c < 12; ++c) bound[c] = number_of_nothing<T>(c);
+    for (int k = 0; k < 4; ++k) {
+      const T by = load<T>(reach[k]);
+      for (int end = 0; end < 2; ++end) {
+        const Vec3<T> at = x[k] + T(end == 0 ? -last_step_ : horizon_) * v[k];
+        const T along[3] = {at.x, at.y, at.z};
+        for (int axis = 0; axis < 3; ++axis) {
+          T &low = bound[6 * end + axis], &high = bound[6 * end + 3 + axis];
+          low = minimum(low, along[axis] - by);
+          high = maximum(high, along[axis] + by);
+        }
+      }
+    }
+    const T by = load<T>(wider);
+    const auto active = load<T>(is_active) > T(0);
+    for (int c = 0; c < 12; ++c) {
+      bound[c] = select(active, c % 6 < 3 ? bound[c] - by : bound[c] + by, number_of_nothing<T>(c));
+    }
+    boxes_.set_pack(pack * W, bound);
   });
 }
 
@@ -162,30 +220,27 @@ template <class S>
 void FeatureBounds<S>::find_around(const SegmentSurface<S>& surface) {
   constexpr std::int64_t G = ball_group<S>;
   const std::int64_t segments = std::ssize(order_), groups = (segments + G - 1) / G;
-  const auto for_each_group = [&](const char* name, const auto& work) {
-    parallel_for(name, RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-      SegmentsOfGroup found;
-      const std::int64_t end = groups * (piece + 1) / fixed_pieces;
-      for (std::int64_t group = groups * piece / fixed_pieces; group < end; ++group) {
-        found.clear();
-        for (std::int64_t place = group * G; place < std::min(segments, (group + 1) * G); ++place) {
-          for (const std::int32_t slave : surface.slaves_of(order_[place])) {
-            for (const std::int32_t s : surface.around(slave)) found.add(s);
-          }
-        }
-        work(group, found.all());
-      }
-    });
-  };
+  std::array<std::vector<std::int32_t>, fixed_pieces> found;
   around_begin_.assign(groups, 0);
-  for_each_group("counts around groups", [&](std::int64_t group, std::span<const std::int32_t> found) {
-    around_begin_[group] = std::ssize(found);
+  parallel_for("segments around groups", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    SegmentsOfGroup of_group;
+    const std::int64_t end = groups * (piece + 1) / fixed_pieces;
+    for (std::int64_t group = groups * piece / fixed_pieces; group < end; ++group) {
+      of_group.clear();
+      for (std::int64_t place = group * G; place < std::min(segments, (group + 1) * G); ++place) {
+        for (const std::int32_t slave : surface.slaves_of(order_[place])) {
+          for (const std::int32_t s : surface.around(slave)) of_group.add(s);
+        }
+      }
+      around_begin_[group] = std::ssize(of_group.all());
+      found[piece].insert(found[piece].end(), of_group.all().begin(), of_group.all().end());
+    }
   });
   const std::int64_t whole = make_offsets(around_begin_);
   around_begin_.push_back(whole);
   around_.resize(whole);
-  for_each_group("segments around groups", [&](std::int64_t group, std::span<const std::int32_t> found) {
-    std::copy(found.begin(), found.end(), around_.begin() + around_begin_[group]);
+  parallel_for("copies around groups", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    std::copy(found[piece].begin(), found[piece].end(), around_.begin() + around_begin_[groups * piece / fixed_pieces]);
   });
 }
 
@@ -233,17 +288,20 @@ void FeatureBounds<S>::move(const SegmentSurface<S>& surface, std::span<const st
 template <class S>
 bool FeatureBounds<S>::turn(const SegmentSurface<S>& surface, std::int32_t segment) {
   const std::array<std::int32_t, 4>& corners = surface.slaves_of(segment);
-  const auto start = [&](std::size_t k) {
-    return std::pair(motion_->start_position(corners[k]), motion_->start_velocity(corners[k]));
-  };
-  const auto& nodes = surface.segments()[segment].node;
+  Vec3<S> x[4], v[4];
+  S allowance[4];
+  for (std::size_t k = 0; k < 4; ++k) {
+    x[k] = motion_->start_position(corners[k]);
+    v[k] = motion_->start_velocity(corners[k]);
+    allowance[k] = motion_->allowance(std::array{surface.segments()[segment].node[k]});
+  }
   Facing<S>& known = facing_[segment];
-  const Facing<S> now = facing_of(nodes, start, S(1));
+  const Facing<S> now = facing_of(x, v, allowance, S(1));
   const Vec3<S> d = now.normal - known.normal;
   const bool any_known = known.angle == any_direction<S>.angle, any_now = now.angle == any_direction<S>.angle;
   // A chord of up to a right angle, as in facing_of_all().
   if (any_known || (!any_now && S(1.12) * square_root(dot(d, d)) + now.angle <= known.angle)) return false;
-  known = facing_of(nodes, start, strays_ahead<S>);
+  known = facing_of(x, v, allowance, strays_ahead<S>);
   return true;
 }
 
@@ -257,25 +315,25 @@ void FeatureBounds<S>::renew_box(const SegmentSurface<S>& surface, std::int32_t 
 
 /// The diagonals span the face; each of their ends may go the way that it makes more than their mean, and stray.
 template <class S>
-template <class Start>
-Facing<S> FeatureBounds<S>::facing_of(const std::int32_t (&node)[4], const Start& start, S strays) const {
-  Vec3<S> diagonal[2];
-  S turned = 0;
+template <class T>
+Facing<T> FeatureBounds<S>::facing_of(const Vec3<T> (&x)[4], const Vec3<T> (&v)[4], const T (&allowance)[4],
+                                      S strays) const {
+  Vec3<T> diagonal[2];
+  T length[2], turned(0);
   for (int d = 0; d < 2; ++d) {
-    const auto [xa, va] = start(d);
-    const auto [xb, vb] = start(d + 2);
-    diagonal[d] = xb - xa;
-    const Vec3<S> v = vb - va;
-    const S stray = motion_->allowance(std::array{node[d]}) + motion_->allowance(std::array{node[d + 2]});
-    const S way = horizon_ * square_root(dot(v, v)) + strays * stray;
-    turned += way / square_root(dot(diagonal[d], diagonal[d]));
+    diagonal[d] = x[d + 2] - x[d];
+    length[d] = square_root(dot(diagonal[d], diagonal[d]));
+    const Vec3<T> apart = v[d + 2] - v[d];
+    const T way = T(horizon_) * square_root(dot(apart, apart)) + T(strays) * (allowance[d] + allowance[d + 2]);
+    turned = turned + way / length[d];
   }
-  const Vec3<S> area = cross(diagonal[0], diagonal[1]);
-  const S size = square_root(dot(area, area));
-  const S lengths = square_root(dot(diagonal[0], diagonal[0]) * dot(diagonal[1], diagonal[1]));
-  Facing<S> facing{(1 / size) * area, S(1.2) * turned * lengths / size};  // the arcus sine of up to 0.8
-  if (!(facing.angle < S(0.96))) return any_direction<S>;                 // also where there is no area
-  return facing;
+  const Vec3<T> area = cross(diagonal[0], diagonal[1]);
+  const T inverse = T(1) / square_root(dot(area, area));
+  const T angle = number<T>(1.2) * turned * (length[0] * length[1]) * inverse;  // the arcus sine of up to 0.8
+  // if (it is larger, or there is no area) any direction
+  const auto known = angle < number<T>(0.96);
+  const auto along = [&](const T& component) { return select(known, inverse * component, T(0)); };
+  return {{along(area.x), along(area.y), along(area.z)}, select(known, angle, T(any_direction<S>.angle))};
 }
 
 template <class S>

@@ -73,11 +73,14 @@ class FeatureBounds {
 
  private:
   MovingBox<S> box_of(const Vec3<S>& x, const Vec3<S>& v, std::int32_t node) const;
-  /// start(k): where corner k of a segment is at the start, and its velocity; strays: by how many of their allowances
-  /// corners may stray.
-  template <class Start>
-  Facing<S> facing_of(const std::int32_t (&node)[4], const Start& start, S strays) const;
+  /// x, v: where the corners of a segment are at the start, and their velocities; allowance: theirs; strays: by how
+  /// many of these they may stray.
+  template <class T>
+  Facing<T> facing_of(const Vec3<T> (&x)[4], const Vec3<T> (&v)[4], const T (&allowance)[4], S strays) const;
 
+  /// Where segments look and, with_boxes, their boxes, a pack after the other in the order of the boxes.
+  void bound_segments(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const ListScope<S>& scope,
+                      bool with_boxes);
   void choose_order(const SegmentSurface<S>& surface);
   void find_around(const SegmentSurface<S>& surface);
   void find_directions(const SegmentSurface<S>& surface);

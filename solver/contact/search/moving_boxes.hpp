@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <kernels/ball_tree.hpp>
 #include <kernels/exec/array.hpp>
@@ -19,6 +21,10 @@ class MovingBoxes {
   /// box: its bounds [length], which may be infinite. One with a lower bound above the upper, or with a bound that is
   /// not a number, becomes the box that nothing is in. May be called for different boxes at the same time.
   void set(std::int32_t i, const MovingBox<S>& box);
+  /// The same of a pack of boxes; first: number of the first, a multiple of the width of the pack. Those beyond the
+  /// last box of the set have to be ones that nothing is in.
+  template <class T>
+  void set_pack(std::int64_t first, const T (&bound)[12]);
   MovingBox<S> box(std::int32_t i) const { return get_box(bound_.data(), i); }
   std::int32_t count() const { return count_; }
   std::int64_t groups() const { return groups_; }  ///< at least one
@@ -30,6 +36,22 @@ class MovingBoxes {
   std::int64_t groups_ = 0;
   Array<S> bound_;
 };
+
+template <class S>
+template <class T>
+void MovingBoxes<S>::set_pack(std::int64_t first, const T (&bound)[12]) {
+  constexpr int G = ball_group<S>;
+  constexpr S largest = std::numeric_limits<S>::max();
+  auto proper = bound[0] <= bound[3];
+  for (int c = 1; c < 9; ++c) {
+    if (c % 6 < 3) proper = proper && bound[c] <= bound[c + 3];
+  }
+  S* const to = bound_.data() + first / G * 12 * G + first % G;
+  for (int c = 0; c < 12; ++c) {
+    const T kept = minimum(T(largest), maximum(T(-largest), bound[c]));
+    store(select(proper, kept, number<T>(c % 6 < 3 ? HUGE_VAL : -HUGE_VAL)), to + c * G);
+  }
+}
 
 /// Levels of boxes over boxes, built anew for each set in the same memory.
 template <class S>
