@@ -1,6 +1,7 @@
 #include "edge_table.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <solver/base/lists_in_order.hpp>
 
@@ -13,11 +14,12 @@ struct End {
   std::int32_t other, segment, side, slave;
 };
 
-/// The edges from the node of a slave to nodes of higher numbers, by these and by the segments.
+/// Adds the edges from the node of a slave to nodes of higher numbers, by these and by the segments. Returns how many
+/// edges these are.
 template <class S>
-void find_ends(const SegmentSurface<S>& surface, std::int64_t slave, std::vector<End>& ends) {
+std::int64_t add_ends(const SegmentSurface<S>& surface, std::int64_t slave, std::vector<End>& ends) {
   const std::int32_t node = surface.slaves()[slave].node;
-  ends.clear();
+  const std::ptrdiff_t before = std::ssize(ends);
   for (const std::int32_t s : surface.around(slave)) {
     const auto& segment = surface.segments()[s];
     for (std::int32_t k = 0; k < 4; ++k) {
@@ -28,8 +30,13 @@ void find_ends(const SegmentSurface<S>& surface, std::int64_t slave, std::vector
       if (b == node && a > node) ends.push_back({a, s, k, slaves[k]});
     }
   }
-  std::sort(ends.begin(), ends.end(),
+  std::sort(ends.begin() + before, ends.end(),
             [](const End& a, const End& b) { return a.other != b.other ? a.other < b.other : a.segment < b.segment; });
+  std::int64_t edges = 0;
+  for (auto e = ends.begin() + before; e != ends.end(); ++e) {
+    edges += e == ends.begin() + before || e->other != std::prev(e)->other ? 1 : 0;
+  }
+  return edges;
 }
 
 }  // namespace
@@ -38,34 +45,35 @@ template <class S>
 void EdgeTable<S>::collect(const SegmentSurface<S>& surface) {
   edges_of_.assign(surface.segments().size(), {-1, -1, -1, -1});
   const std::int64_t slaves = std::ssize(surface.slaves());
-  std::vector<std::int64_t> first(slaves);
-  const auto for_each_slave = [&](const char* name, const auto& work) {
-    parallel_for(name, RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-      std::vector<End> ends;
-      const std::int64_t end = slaves * (piece + 1) / fixed_pieces;
-      for (std::int64_t i = slaves * piece / fixed_pieces; i < end; ++i) {
-        find_ends(surface, i, ends);
-        work(i, ends);
-      }
-    });
-  };
-  for_each_slave("edges of slaves", [&](std::int64_t i, const std::vector<End>& ends) {
-    for (std::size_t e = 0; e < ends.size(); ++e) first[i] += e == 0 || ends[e].other != ends[e - 1].other ? 1 : 0;
+  std::vector<std::int64_t> first(slaves), ends_up_to(slaves);  // of the ends of its piece
+  std::array<std::vector<End>, fixed_pieces> found;
+  parallel_for("edges of slaves", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    const std::int64_t end = slaves * (piece + 1) / fixed_pieces;
+    for (std::int64_t i = slaves * piece / fixed_pieces; i < end; ++i) {
+      first[i] = add_ends(surface, i, found[piece]);
+      ends_up_to[i] = std::ssize(found[piece]);
+    }
   });
   edges_.resize(make_offsets(first));
-  for_each_slave("edges", [&](std::int64_t i, const std::vector<End>& ends) {
-    std::int64_t number = first[i];
-    for (std::size_t e = 0; e < ends.size(); ++number) {
-      const End& one = ends[e];
-      Edge edge{{surface.slaves()[i].node, one.other}, {static_cast<std::int32_t>(i), one.slave}, {}};
-      edge.segment.fill(-1);
-      std::size_t count = 0;
-      for (; e < ends.size() && ends[e].other == one.other; ++e) {
-        edges_of_[ends[e].segment][ends[e].side] = static_cast<std::int32_t>(number);
-        const bool again = count > 0 && edge.segment[count - 1] == ends[e].segment;  // around a node that it has twice
-        if (!again && count < most_segments) edge.segment[count++] = ends[e].segment;
+  parallel_for("edges", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    const std::vector<End>& ends = found[piece];
+    std::size_t e = 0;
+    const std::int64_t end = slaves * (piece + 1) / fixed_pieces;
+    for (std::int64_t i = slaves * piece / fixed_pieces; i < end; ++i) {
+      const auto up_to = static_cast<std::size_t>(ends_up_to[i]);
+      for (std::int64_t number = first[i]; e < up_to; ++number) {
+        const End& one = ends[e];
+        Edge edge{{surface.slaves()[i].node, one.other}, {static_cast<std::int32_t>(i), one.slave}, {}};
+        edge.segment.fill(-1);
+        std::size_t count = 0;
+        for (; e < up_to && ends[e].other == one.other; ++e) {
+          edges_of_[ends[e].segment][ends[e].side] = static_cast<std::int32_t>(number);
+          const bool again =
+              count > 0 && edge.segment[count - 1] == ends[e].segment;  // around a node that it has twice
+          if (!again && count < most_segments) edge.segment[count++] = ends[e].segment;
+        }
+        edges_[number] = edge;
       }
-      edges_[number] = edge;
     }
   });
 }
