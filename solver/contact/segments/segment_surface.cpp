@@ -61,12 +61,14 @@ void SegmentSurface<S>::collect_faces(const SurfaceSource<S>& source, const std:
   const std::size_t padded = packs() * W;
   corner_.reset(4 * padded);
   active_.reset(padded);
+  reach_.reset(padded);
   sphere_.reset(4 * padded);
   plane_.reset(4 * padded);
   parallel_for("corners of segments", RangePolicy<>{0, static_cast<std::int64_t>(padded)}, [&](std::int64_t place) {
     const std::size_t s = place;  // padding repeats the last segment
     const Segment& segment = segments_[std::min(s, segments_.size() - 1)];
     for (std::size_t i = 0; i < 4; ++i) corner_[(s / W * 4 + i) * W + s % W] = segment.node[i];
+    reach_[s] = deepest * segment.radius;
     if (s < segments_.size()) active_[s] = exposed(segment.slot, segment.face) ? S(1) : S(0);
   });
   chosen_.resize(packs());
@@ -231,7 +233,6 @@ template <class S>
 void SegmentSurface<S>::update(const SurfaceSource<S>& source) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
-  const std::int64_t count = segments_.size();
   parallel_for("segments", RangePolicy<>{0, std::ssize(chosen_)}, [&](std::int64_t p) {
     const std::int64_t pack = chosen_[p];
     Vec3<T> x[4];
@@ -241,14 +242,13 @@ void SegmentSurface<S>::update(const SurfaceSource<S>& source) {
     const Vec3<T> centre = number<T>(0.25) * (x[0] + x[1] + x[2] + x[3]);
     T farthest2(0);
     for (const Vec3<T>& corner : x) farthest2 = maximum(farthest2, dot(corner - centre, corner - centre));
-    const T farthest = square_root(farthest2);
     const Vec3<T> area = cross(x[2] - x[0], x[3] - x[1]);
     const T size2 = dot(area, area);
     const T active = load<T>(active_.data() + pack * W);
     const Vec3<T> normal = select(size2 > T(0), active / square_root(size2), T(0)) * area;
+    const T reach = active * (square_root(farthest2) + load<T>(reach_.data() + pack * W));
     const T warp = absolute(dot(x[0] - centre, normal));  // the same at all corners, but for its sign
     for (int i = 0; i < W; ++i) {
-      const std::int64_t s = std::min(pack * W + i, count - 1);
       S* flat = record(plane_.data(), pack * W + i);
       flat[0] = lane(normal.x, i);
       flat[1] = lane(normal.y, i);
@@ -258,7 +258,7 @@ void SegmentSurface<S>::update(const SurfaceSource<S>& source) {
       sphere[0] = lane(centre.x, i);
       sphere[1] = lane(centre.y, i);
       sphere[2] = lane(centre.z, i);
-      sphere[3] = lane(active, i) * (lane(farthest, i) + deepest * segments_[s].radius);
+      sphere[3] = lane(reach, i);
     }
   });
 }
@@ -297,7 +297,7 @@ template <class S>
 std::size_t SegmentSurface<S>::bytes() const {
   return topology_.bytes() + segments_.capacity() * sizeof(Segment) + slaves_.capacity() * sizeof(Slave) +
          (around_.capacity() + around_first_.capacity() + chosen_.capacity() + 4 * slaves_of_.capacity()) * 4 +
-         corner_.bytes() + active_.bytes() + sphere_.bytes() + plane_.bytes();
+         corner_.bytes() + active_.bytes() + reach_.bytes() + sphere_.bytes() + plane_.bytes();
 }
 
 template class SegmentSurface<double>;

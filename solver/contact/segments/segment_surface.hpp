@@ -127,6 +127,7 @@ class SegmentSurface {
   std::vector<std::array<std::int32_t, 4>> slaves_of_;  ///< per segment
   Array<std::int32_t> corner_;                          ///< of the segments, in tiles of W
   Array<S> active_;                                     ///< per segment, padded: 1 or 0 [-]
+  Array<S> reach_;                                      ///< per segment, padded: deepest radii [length]
   std::vector<std::int32_t> chosen_;                    ///< packs of segments
   std::vector<std::uint8_t> asked_for_;                 ///< per pack
   Array<S> sphere_, plane_;
