@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <kernels/compress.hpp>
 #include <kernels/exec.hpp>
 #include <kernels/gather.hpp>
 
@@ -80,7 +81,8 @@ EdgeSides sides_of(const SegmentSurface<S>& surface, const typename EdgeTable<S>
 template <class S>
 bool is_sharp(const SegmentSurface<S>& surface, const typename EdgeTable<S>::Edge& edge, double cosine) {
   const S* before = nullptr;
-  for (const std::int32_t s : EdgeTable<S>::segments_of(edge)) {
+  for (const std::int32_t s : edge.segment) {
+    if (s < 0) break;
     if (!surface.active_segment(s)) continue;
     const S* const plane = record(surface.plane().data(), s);
     if (before != nullptr) return dot(double_vector_of(before), double_vector_of(plane)) < cosine;
@@ -159,8 +161,9 @@ bool face_each_other(const EdgeSides& first, const EdgeSides& second) {
 
 /// Pairs whose lines come near each other between their ends.
 template <class S>
-void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& edges, const EdgePairs& pairs,
-                            const ListPart& part, const StepReach& step, std::vector<std::int32_t>& near_pairs) {
+void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                            const EdgePairs& pairs, const ListPart& part, const StepReach& step,
+                            std::vector<std::int32_t>& near_pairs) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
   near_pairs.clear();
@@ -173,8 +176,8 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& 
     if (step.some_deep) {
       alignas(64) S deep[W];
       for (int i = 0; i < W; ++i) {
-        deep[i] = static_cast<S>(
-            depth_before(step, edges.edges()[pairs.first[place + i]], edges.edges()[pairs.second[place + i]]));
+        const auto depth = [&](std::size_t end) { return step.depth[pairs.node[end][place + i]]; };
+        deep[i] = static_cast<S>(std::max({depth(0), depth(1), depth(2), depth(3)}));
       }
       near = near + load<T>(deep);
     }
@@ -188,10 +191,26 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& 
     const Vec3<T> beside = to - (dot(to, u) / dot(u, u)) * u;
     const T reach = near + number<T>(small_sine) * square_root(dot(v, v));
     const auto lie_along = pair.sine2 < number<T>(1.1 * small_sine * small_sine) && dot(beside, beside) < reach * reach;
-    unsigned bits = lane_bits<T>(cross_here || lie_along);
-    for (; bits != 0; bits &= bits - 1) {
-      const std::int64_t at = place + __builtin_ctz(bits);
-      if (at >= part.begin && at < part.end) near_pairs.push_back(at);
+    // What only sharp edges do, for sure: to meet at an end, to lie along each other.
+    const auto is_end = [](const T& s) {
+      return s < number<T>(0.9 * end_margin) || s > number<T>(1 - 0.9 * end_margin);
+    };
+    const unsigned at_end =
+        lane_bits<T>(pair.sine2 > number<T>(1.1 * small_sine * small_sine) && (is_end(pair.s) || is_end(pair.t)));
+    const unsigned along = lane_bits<T>(pair.sine2 < number<T>(0.9 * small_sine * small_sine));
+    for (unsigned bits = lane_bits<T>(cross_here || lie_along); bits != 0; bits &= bits - 1) {
+      const int i = lowest_bit(bits);
+      const std::int64_t at = place + i;
+      if (at < part.begin || at >= part.end) continue;
+      const auto are_sharp = [&](double cosine) {
+        return is_sharp(surface, edges.edges()[pairs.first[at]], cosine) &&
+               is_sharp(surface, edges.edges()[pairs.second[at]], cosine);
+      };
+      if (((at_end >> i & 1U) != 0 && !are_sharp(sharp_at_end)) ||
+          ((along >> i & 1U) != 0 && !are_sharp(sharp_along))) {
+        continue;
+      }
+      near_pairs.push_back(static_cast<std::int32_t>(at));
     }
   }
 }
@@ -255,7 +274,7 @@ template <class S>
 void EdgeRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                        const EdgePairs& pairs, const StepReach& step, const ListShare& share) {
   rows_.find("edge rows", share, [&](std::int64_t, const ListPart& part, RowPieces::Piece& piece) {
-    find_near(source, edges, pairs, part, step, piece.near);
+    find_near(source, surface, edges, pairs, part, step, piece.near);
     for (const std::int32_t place : piece.near) {
       add_row(source, surface, edges.edges()[pairs.first[place]], edges.edges()[pairs.second[place]], step, piece.rows);
     }

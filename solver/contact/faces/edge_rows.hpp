@@ -34,8 +34,9 @@ class EdgeRows {
 
  private:
   using Edge = typename EdgeTable<S>::Edge;
-  static void find_near(const SurfaceSource<S>& source, const EdgeTable<S>& edges, const EdgePairs& pairs,
-                        const ListPart& part, const StepReach& step, std::vector<std::int32_t>& near_pairs);
+  static void find_near(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                        const EdgePairs& pairs, const ListPart& part, const StepReach& step,
+                        std::vector<std::int32_t>& near_pairs);
   static void add_row(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const Edge& first,
                       const Edge& second, const StepReach& step, std::vector<FeatureRow>& rows);
 
