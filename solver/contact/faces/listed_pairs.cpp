@@ -1,5 +1,7 @@
 #include "listed_pairs.hpp"
 
+#include <algorithm>
+
 #include <kernels/exec.hpp>
 #include <kernels/simd.hpp>
 
@@ -25,6 +27,7 @@ void ListedNodes<S>::fill(const SegmentSurface<S>& surface) {
   node.renew(first.size());
   size.renew(first.size());
   radius.renew(first.size());
+  apart.renew(first.size());
   parallel_for("listed nodes", RangePolicy<>{0, pieces.places},
                [&](std::int64_t place) { fill_place(place, surface); });
 }
@@ -35,6 +38,9 @@ void ListedNodes<S>::fill_place(std::int64_t place, const SegmentSurface<S>& sur
   node[place] = surface.slaves()[first[place]].node;
   size[place] = segment.size;
   radius[place] = segment.radius;
+  const auto around = surface.around(first[place]);
+  apart[place] =
+      std::none_of(around.begin(), around.end(), [&](std::int32_t s) { return surface.beside(s, second[place]); });
 }
 
 template <class S>
@@ -44,6 +50,7 @@ void ListedNodes<S>::take_in(const SortedPairs& more, const SegmentSurface<S>& s
     room->make_in(node.data());
     room->make_in(size.data());
     room->make_in(radius.data());
+    room->make_in(apart.data());
     room->for_each_place([&](std::int64_t place) { fill_place(place, surface); });
   } else {
     make_anew(*this, more, surface.slaves().size(), native_width<S>);

@@ -17,12 +17,16 @@ template <class S>
 struct ListedNodes : SortedPairs {
   Array<std::int32_t> node;  ///< of the slave
   Array<S> size, radius;     ///< of the segment [length]
+  /// No element around the node has a corner in common with that of the segment, whatever erodes.
+  Array<std::uint8_t> apart;
 
   /// Of all pairs.
   void fill(const SegmentSurface<S>& surface);
   /// Takes in pairs that the list does not have.
   void take_in(const SortedPairs& more, const SegmentSurface<S>& surface);
-  std::size_t bytes() const { return SortedPairs::bytes() + node.bytes() + size.bytes() + radius.bytes(); }
+  std::size_t bytes() const {
+    return SortedPairs::bytes() + node.bytes() + size.bytes() + radius.bytes() + apart.bytes();
+  }
 
  private:
   void fill_place(std::int64_t place, const SegmentSurface<S>& surface);

@@ -129,7 +129,7 @@ class NodeMeeting {
   bool counts(const NodeFoot& foot) const {
     const auto mean = double_vector_of(record(surface_.plane().data(), foot.segment));
     return may_face(surface_, foot.slave, mean) &&
-           !surface_.beside(surface_.around(foot.slave), std::span(&foot.segment, 1));
+           (foot.apart || !surface_.beside(surface_.around(foot.slave), std::span(&foot.segment, 1)));
   }
 
   /// A foot beyond an edge belongs to the face on its side of the corner; inside, that is at the bottom of a valley,
