@@ -217,7 +217,8 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const SegmentSurface
 
 template <class S>
 void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const Edge& first,
-                          const Edge& second, const StepReach& step, std::vector<FeatureRow>& rows) {
+                          const Edge& second, const StepReach& step, const ImpulseSolver<S>* impulses,
+                          std::vector<FeatureRow>& rows) {
   const auto x = [&](const Edge& edge, int end) { return double_vector_of(source.x(edge.node[end])); };
   const Vec3<double> a = x(first, 0), b = x(first, 1), c = x(second, 0), d = x(second, 1);
   EdgePair<double> pair = nearest_points(a, b, c, d);
@@ -262,7 +263,9 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
   closing *= step.dt;
   const double explained = std::max(0.0, closing) + depth_before(step, first, second);
   if (gap < -deepest_edges * row.reach - explained) return;
-  if (gap < -doubtful * row.reach - explained &&
+  // What touched in the step before has come in here.
+  const bool is_new = impulses == nullptr || !impulses->has_touched(row.first, row.second);
+  if (is_new && gap < -doubtful * row.reach - explained &&
       (is_beside(source, surface, first, pair.s, sides1, sides2, c + pair.t * (d - c), 0 - gap) ||
        is_beside(source, surface, second, pair.t, sides2, sides1, a + pair.s * (b - a), 0 - gap))) {
     return;
@@ -272,11 +275,13 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
 
 template <class S>
 void EdgeRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-                       const EdgePairs& pairs, const StepReach& step, const ListShare& share) {
+                       const EdgePairs& pairs, const StepReach& step, const ImpulseSolver<S>* impulses,
+                       const ListShare& share) {
   rows_.find("edge rows", share, [&](std::int64_t, const ListPart& part, RowPieces::Piece& piece) {
     find_near(source, surface, edges, pairs, part, step, piece.near);
     for (const std::int32_t place : piece.near) {
-      add_row(source, surface, edges.edges()[pairs.first[place]], edges.edges()[pairs.second[place]], step, piece.rows);
+      add_row(source, surface, edges.edges()[pairs.first[place]], edges.edges()[pairs.second[place]], step, impulses,
+              piece.rows);
     }
   });
 }

@@ -21,12 +21,13 @@ class EdgeRows {
  public:
   using EdgePairs = typename FeatureLists<S>::EdgePairs;
 
-  /// Finds the rows of all pairs listed in the parts that are this process' own, in the order of the list.
+  /// Finds the rows of all pairs listed in the parts that are this process' own, in the order of the list. impulses:
+  /// has the pairs that touched in the step before; null: none did.
   void find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-            const EdgePairs& pairs, const StepReach& step, const ListShare& share);
+            const EdgePairs& pairs, const StepReach& step, const ImpulseSolver<S>* impulses, const ListShare& share);
   void find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
             const EdgePairs& pairs, const StepReach& step) {
-    find(source, surface, edges, pairs, step, ListShare(pairs));
+    find(source, surface, edges, pairs, step, nullptr, ListShare(pairs));
   }
   const RowPieces& rows() const { return rows_; }
   RowPieces& rows() { return rows_; }
@@ -38,7 +39,8 @@ class EdgeRows {
                         const EdgePairs& pairs, const ListPart& part, const StepReach& step,
                         std::vector<std::int32_t>& near_pairs);
   static void add_row(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const Edge& first,
-                      const Edge& second, const StepReach& step, std::vector<FeatureRow>& rows);
+                      const Edge& second, const StepReach& step, const ImpulseSolver<S>* impulses,
+                      std::vector<FeatureRow>& rows);
 
   RowPieces rows_;
 };

@@ -270,7 +270,7 @@ void FaceAlgorithm<S>::find_rows(const SurfaceSource<S>& source, const StepReach
   nodes.leave_to_others(share, 0);
   edges.leave_to_others(share, std::ssize(nodes.parts()));
   node_rows_.find(source, surface_, lists_.nodes(), step, nodes);
-  edge_rows_.find(source, surface_, edges_, lists_.edges(), step, edges);
+  edge_rows_.find(source, surface_, edges_, lists_.edges(), step, this->impulses_.get(), edges);
   if (share.is_shared()) {
     found_rows_.clear();
     node_rows_.rows().put_into(found_rows_);

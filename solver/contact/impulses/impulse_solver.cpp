@@ -57,10 +57,9 @@ void ImpulseSolver<S>::add_row(std::int64_t first, std::int64_t second, const Ve
   pair.memory.first = first;
   pair.memory.second = second;
   // Rows mostly come in the order of the step before: first of all the memory behind that of the last row is tried.
-  const auto is = [&](std::size_t at) { return memory_[at].first == first && memory_[at].second == second; };
   std::size_t at = next_memory_;
-  if (at >= memory_.size() || !is(at)) {
-    at = names_.find(first, second, is);
+  if (at >= memory_.size() || !is_memory_of(at, first, second)) {
+    at = place_in_memory(first, second);
     if (at == PairNames::none) return;
   }
   pair.memory = memory_[at];

@@ -92,6 +92,10 @@ class ImpulseSolver {
   void set_ties(const TiedNodes<S>* ties) { ties_ = ties; }
   /// sides: null, or kept by whoever keeps this.
   void set_rigid_sides(const RigidSides* sides) { rigid_.sides = sides; }
+  /// Whether a pair of these names pushed, or was deep, in the step before.
+  bool has_touched(std::int64_t first, std::int64_t second) const {
+    return place_in_memory(first, second) != PairNames::none;
+  }
   /// All rows are there. dt: the step just made.
   void finish_rows(const SurfaceSource<S>& source, double dt);
   /// Largest change of velocity that stopping a gap will give one of its sides, of the gaps that close within two steps
@@ -144,6 +148,12 @@ class ImpulseSolver {
     PairMemory memory;
   };
 
+  std::size_t place_in_memory(std::int64_t first, std::int64_t second) const {
+    return names_.find(first, second, [&](std::size_t at) { return is_memory_of(at, first, second); });
+  }
+  bool is_memory_of(std::size_t at, std::int64_t first, std::int64_t second) const {
+    return memory_[at].first == first && memory_[at].second == second;
+  }
   double rigid_inverse_mass(std::size_t i, const Vec3<double>& direction) const;
   bool has_free_node(const RowView& row) const;
   double mobile_share(const SurfaceSource<S>& source, const RowView& row) const;
