@@ -8,6 +8,7 @@
 #include <solver/base/faces.hpp>
 
 #include "exposed_faces.hpp"
+#include "nodes_of_bodies.hpp"
 
 namespace pinball {
 
@@ -145,7 +146,7 @@ class MeshSurface {
 /// Boxes of the bodies, each with that of all others.
 std::vector<BodyFaces> boxes_of(const ModelMesh& mesh) {
   std::vector<BodyFaces> bodies(mesh.body_names.size());
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) bodies[mesh.body_of_node[n]].box.take(mesh.nodes[n]);
+  for_nodes_of_bodies(mesh, [&](std::int32_t b, std::int32_t n) { bodies[b].box.take(mesh.nodes[n]); });
   Bounds before, after;
   for (BodyFaces& body : bodies) {
     body.others.take(before);

@@ -246,6 +246,7 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
         model.rigid_of_body[model.mesh.body_of_node[scene_node[n]]] == static_cast<std::int32_t>(number);
     if (!of_start || is_own || given.bodies.empty()) nodes.push_back(n);
   }
+  if (nodes.empty()) nodes = body.nodes;  // others have all of them, too
   const auto x = [&](std::size_t i) {
     const S* const p = model.nodes.position_of(nodes[i]);
     return Point{p[0], p[1], p[2]};

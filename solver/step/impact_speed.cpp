@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <solver/model/nodes_of_bodies.hpp>
+
 namespace pinball {
 
 namespace {
@@ -23,7 +25,7 @@ struct Velocities {
   /// Exactly that of the nodes where all have the same.
   Point mean() const {
     Point mean = first;
-    for (std::size_t k = 0; k < 3; ++k) mean[k] += beside[k] / std::max(count, 1.0);
+    for (std::size_t k = 0; k < 3; ++k) mean[k] += beside[k] / count;
     return mean;
   }
 };
@@ -35,7 +37,6 @@ double largest_relative_speed(const std::vector<Velocities>& of_body) {
   double speed = 0;
   for (std::size_t a = 0; a < of_body.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      if (of_body[a].count == 0 || of_body[b].count == 0) continue;  // other bodies have all their nodes
       const Point v = minus(mean[a], mean[b]);
       const double spread = of_body[a].radius + of_body[b].radius, least = (1 - 1e-12) * speed - spread;
       if (least > 0 && dot(v, v) < least * least) continue;
@@ -53,10 +54,10 @@ double longest_contact_step(const Model<S>& model) {
   const ModelMesh& mesh = model.mesh;
   std::vector<Velocities> of_body(mesh.body_names.size());
   const auto for_nodes = [&](const auto& visit) {
-    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    for_nodes_of_bodies(mesh, [&](std::int32_t body, std::int32_t n) {
       const S* const v = record(model.nodes.velocity.data(), model.node_of_scene_node[n]);
-      visit(of_body[mesh.body_of_node[n]], Point{v[0], v[1], v[2]});
-    }
+      visit(of_body[body], Point{v[0], v[1], v[2]});
+    });
   };
   for_nodes([](Velocities& own, const Point& v) { own.take(v); });
   for_nodes([](Velocities& own, const Point& v) { own.radius = std::max(own.radius, norm(minus(v, own.mean()))); });

@@ -5,6 +5,7 @@
 
 #include <solver/base/faces.hpp>
 #include <solver/model/exposed_faces.hpp>
+#include <solver/model/nodes_of_bodies.hpp>
 
 namespace pinball {
 
@@ -32,11 +33,11 @@ bool may_touch(const std::vector<ContactPair>& pairs, const std::string& a, cons
 OverlappingBodies::OverlappingBodies(const ModelMesh& mesh, const std::vector<ContactPair>& pairs,
                                      std::vector<std::int32_t> rigid)
     : mesh_(mesh), pairs_(pairs), rigid_(std::move(rigid)), bodies_(mesh.body_names.size()) {
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    BodyParts& body = bodies_[mesh.body_of_node[n]];
-    body.box.take(mesh.nodes[n]);
-    body.nodes.push_back(n);
-  }
+  for_nodes_of_bodies(mesh, [&](std::int32_t b, std::int32_t n) {
+    bodies_[b].box.take(mesh.nodes[n]);
+    bodies_[b].nodes.push_back(n);
+  });
+  for (BodyParts& body : bodies_) std::ranges::sort(body.nodes);
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) bodies_[mesh.body[e]].elements.push_back(e);
 }
 
@@ -67,7 +68,9 @@ const BodySurface& NodeDepths::surface(std::size_t body) {
 void NodeDepths::of_one_in_other(std::size_t of, std::size_t in, const Bounds& box, double least,
                                  const std::function<void(std::size_t, const BodyDepth&)>& visit) {
   const BodyInside other(mesh_, bodies_.parts(in).elements, box);
+  const std::vector<std::size_t>& common = bodies_.parts(in).nodes;
   for (const std::size_t n : bodies_.parts(of).nodes) {
+    if (std::ranges::binary_search(common, n)) continue;  // it is where both hang together
     const Point& x = mesh_.nodes[n];
     if (!box.holds(x) || !other.holds(x, off_by_rounding)) continue;
     const BodyDepth depth = surface(in).depth_of(x, surface(of).normals_at(n));

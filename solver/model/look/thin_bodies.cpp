@@ -4,6 +4,7 @@
 
 #include <solver/base/faces.hpp>
 #include <solver/base/point.hpp>
+#include <solver/model/nodes_of_bodies.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
 namespace pinball {
@@ -65,7 +66,7 @@ struct Candidate {
 std::vector<Candidate> candidates(const Scene& scene, const ModelMesh& mesh) {
   const std::vector<std::size_t> material = material_of_bodies(scene);
   std::vector<double> nodes(scene.bodies.size(), 0.0), elements(scene.bodies.size(), 0.0);
-  for (const std::int32_t b : mesh.body_of_node) ++nodes[b];
+  for_nodes_of_bodies(mesh, [&](std::int32_t b, std::int32_t) { ++nodes[b]; });
   for (const std::int32_t b : mesh.body) ++elements[b];
   std::vector<Candidate> found;
   std::vector<std::int32_t> place(scene.bodies.size(), -1);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <solver/base/counted.hpp>
+#include <solver/model/nodes_of_bodies.hpp>
 #include <solver/results/skipped_work.hpp>
 
 namespace pinball {
@@ -30,8 +31,8 @@ std::vector<MovingBox> boxes_of_bodies(const Model<S>& model) {
   none.low.fill(infinite), none.slowest.fill(infinite);
   none.high.fill(-infinite), none.fastest.fill(-infinite);
   std::vector<MovingBox> boxes(model.mesh.body_names.size(), none);
-  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    MovingBox& box = boxes[model.mesh.body_of_node[n]];
+  for_nodes_of_bodies(model.mesh, [&](std::int32_t b, std::int32_t n) {
+    MovingBox& box = boxes[b];
     const S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
     for (std::size_t k = 0; k < 3; ++k) {
       const double v = velocity[k];
@@ -40,7 +41,7 @@ std::vector<MovingBox> boxes_of_bodies(const Model<S>& model) {
       box.slowest[k] = std::min(box.slowest[k], v);
       box.fastest[k] = std::max(box.fastest[k], v);
     }
-  }
+  });
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
     double& margin = boxes[model.mesh.body[e]].margin;
     for (const double edge : element_extent(model.mesh, e)) margin = std::max(margin, edge);
