@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <solver/boundary/force_factor.hpp>
 #include <solver/boundary/prescribed_motions.hpp>
@@ -13,9 +12,6 @@
 namespace pinball {
 
 namespace {
-
-/// Of a step [rad]: contact sees velocities that are those of its beginning.
-constexpr double most_turned = 0.01;
 
 using Space = DefaultExecutionSpace;
 
@@ -261,16 +257,6 @@ void RigidBodies<S>::put_velocities(Model<S>& model) const {
   for (const Body& body : bodies_) {
     if (!body.common.empty()) put_nodes(model, body);
   }
-}
-
-template <class S>
-double RigidBodies<S>::longest_step() const {
-  double fastest = 0;
-  for (const Body& body : bodies_) {
-    fastest = std::max(fastest, norm(body.motion.angular_velocity()));
-    for (const double speed : body.given.angular_speeds) fastest = std::max(fastest, std::abs(speed));
-  }
-  return std::min(of_run_, fastest > 0 ? most_turned / fastest : std::numeric_limits<double>::infinity());
 }
 
 template <class S>

@@ -20,6 +20,12 @@ namespace pinball {
 class Joints;
 struct JointedBody;
 
+/// How a body moves: its nodes have a velocity, but for the spread [length/time].
+struct BodySpeed {
+  Point velocity{};
+  double spread = 0;
+};
+
 /// The rigid bodies of a scene in a step. All that acts on them acts on their nodes: forces of the nodes are summed up,
 /// and what then stands in their place are those of the motion that they give to all nodes together, m (A + a x r). So
 /// contact by impulses sees the velocities that it has to change, and integration and energies need not know of rigid
@@ -44,6 +50,9 @@ class RigidBodies {
   /// Longest step that turns no body by more than a hundredth of a radian; where nothing of a scene deforms also a
   /// thousandth of the run, and with contact by springs the step that the elements would need [time].
   double longest_step() const;
+  /// The fastest that a node of a body moves beside one of another, or beside what deforms, now or when given motions
+  /// have changed it by at most `jump`; 0 where that is no more than `least`. others: bodies that deform [length/time].
+  double relative_speed(const std::vector<BodySpeed>& others, double jump, double least) const;
   /// The same bodies for contact, from begin_step() on.
   const RigidSides& sides() const { return sides_; }
 

@@ -46,29 +46,56 @@ double largest_relative_speed(const std::vector<Velocities>& of_body) {
   return speed;
 }
 
-}  // namespace
-
+/// Of each body at the start.
 template <class S>
-double longest_contact_step(const Model<S>& model) {
-  const double infinite = std::numeric_limits<double>::infinity();
-  const ModelMesh& mesh = model.mesh;
-  std::vector<Velocities> of_body(mesh.body_names.size());
+std::vector<Velocities> velocities_of_bodies(const Model<S>& model) {
+  std::vector<Velocities> of_body(model.mesh.body_names.size());
   const auto for_nodes = [&](const auto& visit) {
-    for_nodes_of_bodies(mesh, [&](std::int32_t body, std::int32_t n) {
+    for_nodes_of_bodies(model.mesh, [&](std::int32_t body, std::int32_t n) {
       const S* const v = record(model.nodes.velocity.data(), model.node_of_scene_node[n]);
       visit(of_body[body], Point{v[0], v[1], v[2]});
     });
   };
   for_nodes([](Velocities& own, const Point& v) { own.take(v); });
   for_nodes([](Velocities& own, const Point& v) { own.radius = std::max(own.radius, norm(minus(v, own.mean()))); });
-  const double speed = largest_relative_speed(of_body);
-  double volume = infinite;
+  return of_body;
+}
+
+/// Of the pinballs [length].
+double smallest_radius(const Scene& scene, const ModelMesh& mesh) {
+  double volume = std::numeric_limits<double>::infinity();
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) volume = std::min(volume, element_volume(mesh, e));
-  const double radius = model.scene.contact.radius_factor * std::cbrt(3 * volume / (4 * M_PI));
-  return speed > 0 ? radius / speed : infinite;
+  return scene.contact.radius_factor * std::cbrt(3 * volume / (4 * M_PI));
+}
+
+}  // namespace
+
+template <class S>
+double longest_contact_step(const Model<S>& model) {
+  const double speed = largest_relative_speed(velocities_of_bodies(model));
+  return speed > 0 ? smallest_radius(model.scene, model.mesh) / speed : std::numeric_limits<double>::infinity();
+}
+
+template <class S>
+RigidImpacts<S>::RigidImpacts(const Model<S>& model, bool contact) {
+  if (!contact || model.rigid.empty()) return;
+  radius_ = smallest_radius(model.scene, model.mesh);
+  const std::vector<Velocities> of_body = velocities_of_bodies(model);
+  for (std::size_t b = 0; b < of_body.size(); ++b) {
+    if (model.rigid_of_body[b] < 0) others_.push_back({of_body[b].mean(), of_body[b].radius});
+  }
+}
+
+template <class S>
+double RigidImpacts<S>::longest_step(const RigidBodies<S>& bodies, double jump, double most) const {
+  if (radius_ == 0) return std::numeric_limits<double>::infinity();
+  const double speed = bodies.relative_speed(others_, jump, radius_ / most);
+  return speed > 0 ? radius_ / speed : std::numeric_limits<double>::infinity();
 }
 
 template double longest_contact_step<double>(const Model<double>&);
 template double longest_contact_step<float>(const Model<float>&);
+template class RigidImpacts<double>;
+template class RigidImpacts<float>;
 
 }  // namespace pinball

@@ -13,7 +13,6 @@
 
 #include "energy/drift_energy.hpp"
 #include "host_step.hpp"
-#include "impact_speed.hpp"
 #include "places.hpp"
 #include "report.hpp"
 #include "require_built.hpp"
@@ -73,6 +72,7 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
       tied_(model_),
       rigid_(model_),
       contact_(model_, *space_),
+      rigid_impacts_(model_, contact() != nullptr),
       clock_(model_.scene.time, model_.scene.damping.mass),
       guards_(model_, clock_) {
   if (contact() != nullptr) {

@@ -28,6 +28,7 @@
 #include "energy_ledger.hpp"
 #include "energy_watch.hpp"
 #include "guards.hpp"
+#include "impact_speed.hpp"
 #include "inside_out.hpp"
 #include "run_counts.hpp"
 #include "step_clock.hpp"
@@ -199,6 +200,7 @@ class Solver {
   TiedStage<S> tied_;
   RigidBodies<S> rigid_;
   ContactStage<S> contact_;
+  RigidImpacts<S> rigid_impacts_;
   StepClock clock_;
   EnergyLedger ledger_;
   EnergyWatch watch_{contact_.contact() != nullptr};

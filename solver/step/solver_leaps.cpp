@@ -65,7 +65,10 @@ void Solver<S>::choose_time_step(const Due& due, const InternalForceResult<S>& e
   timers_.measure(Phase::time_step, [&] {
     StepBound bound = schedule_.bound(model_, due, internal_forces_.tiles(), element.time_step, element.time_step_slot,
                                       springs.frequency2);
-    if (rigid_.any()) bound.longest = rigid_.longest_step();
+    if (rigid_.any()) {
+      const double leap = rigid_.leap(clock_.time(), clock_.time(), clock_.lengths()), longest = rigid_.longest_step();
+      bound.longest = std::min(longest, rigid_impacts_.longest_step(rigid_, leap, std::min(longest, bound.stable)));
+    }
     clock_.choose(due, bound, due.all() && !due.last ? leap(due, element, springs) : 0.0);
   });
 }

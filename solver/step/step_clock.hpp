@@ -11,7 +11,7 @@
 namespace pinball {
 
 /// What set the smallest step of a run: impact_speed is the way that bodies make in a step, or what stops them;
-/// rigid_bodies that they turn, or the length of a run in which nothing deforms.
+/// rigid_bodies that they turn or gain speed, or the length of a run in which nothing deforms.
 enum class StepLimit { none, element, contact, impact_speed, rigid_bodies };
 
 /// Where a run is in time, and how long its steps are. Between two steps positions belong to time(), forces, stresses
