@@ -50,6 +50,14 @@ class RigidBodies {
   /// Longest step that turns no body by more than a hundredth of a radian; where nothing of a scene deforms also a
   /// thousandth of the run, and with contact by springs the step that the elements would need [time].
   double longest_step() const;
+  /// Whether some body has so small a given inertia that springs on its nodes turn it faster than the nodes' masses
+  /// tell.
+  bool any_light() const {
+    return std::ranges::any_of(bodies_, [](const Body& body) { return body.lightness > 1; });
+  }
+  /// By what the square of the frequency of springs is more, at most, than the masses of the nodes tell on which they
+  /// act: by the bodies on which some act in this step. Forces: with stiffnesses, of all contact by springs [-].
+  double lightness_in_springs(const Model<S>& model) const;
   /// The fastest that a node of a body moves beside one of another, or beside what deforms, now or when given motions
   /// have changed it by at most `jump`; 0 where that is no more than `least`. others: bodies that deform [length/time].
   double relative_speed(const std::vector<BodySpeed>& others, double jump, double least) const;
@@ -107,7 +115,10 @@ class RigidBodies {
     std::vector<std::size_t> given_by;    ///< motions of `given`, those along directions and then those about axes
     std::array<Point, 3> more_inertia{};  ///< inertia less that of the nodes, at the start [mass length^2]
     bool has_own_inertia = false;         ///< it is given
-    SlenderInertia slender;               ///< of nodes on one line without a given one
+    /// Largest factor by which the energy of the nodes' masses is more than that of the body in the same motion, which
+    /// is that of squares of frequencies of springs on its nodes (Rayleigh's quotient) [-].
+    double lightness = 1;
+    SlenderInertia slender;          ///< of nodes on one line without a given one
     Point offset{};                  ///< of the centre of its nodes' masses from a given one, at the start [length]
     std::vector<Gravity> gravities;  ///< that act on it, where there is an offset
     Point moment_beside{};           ///< of gravity in this step, above that on the nodes [force length]

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <solver/model/elements/element_start.hpp>
 #include <solver/model/ordering.hpp>
 
+#include "eigen_points.hpp"
 #include "joints.hpp"
 #include "rigid_bodies.hpp"
 
@@ -60,6 +62,24 @@ double longest_step_of_run(const Model<S>& model) {
   ElementParts as_if_elastic = element_parts(model.scene, model.mesh);
   for (ElementPart& part : as_if_elastic.parts) part.rigid = false;
   return std::min(step, model.scene.time.cfl * smallest_stable_step(model.scene, model.mesh, as_if_elastic, {}));
+}
+
+/// Of motions of velocity V and spin w of a body with a given inertia, of which the nodes' masses have the energy
+///
+///     m V^2/2 + m V.(w x o) + w.I_n w/2 ,
+///
+/// o: from the given centre to theirs; I_n: their inertia about the given centre, that of the body less `more`.
+double lightness_of(const RigidBodyMotion& body, const std::array<Point, 3>& more, const Point& offset) {
+  using Matrix = Eigen::Matrix<double, 6, 6>;
+  const Eigen::Matrix3d translation = body.mass() * Eigen::Matrix3d::Identity(), inertia = eigen(body.inertia());
+  Matrix own = Matrix::Zero(), of_nodes = Matrix::Zero();
+  own << translation, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), inertia;
+  const Eigen::Matrix3d coupling = -body.mass() * skew(eigen(offset));
+  of_nodes << translation, coupling, coupling.transpose(), inertia - eigen(more);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(of_nodes, own, Eigen::EigenvaluesOnly);
+  constexpr double rounding = 1e-9;
+  const double largest = solver.eigenvalues().maxCoeff();
+  return largest > 1 + rounding ? largest : 1.0;
 }
 
 bool at_right_angles(const Point& a, const Point& b) { return std::abs(dot(a, b)) < 1e-6; }
@@ -148,6 +168,7 @@ void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const s
     set_offset(minus(own.centre, centre), body);
     take_gravities(model.scene, given, body);
   }
+  if (has_own) body.lightness = lightness_of(body.motion, body.more_inertia, body.offset);
   body.held.along = model.rigid[number].held;
   body.held.about = model.rigid[number].held_rotations;
   body.held.speeds.assign(body.held.along.size(), 0.0);

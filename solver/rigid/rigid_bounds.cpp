@@ -24,6 +24,18 @@ double RigidBodies<S>::longest_step() const {
   return std::min(of_run_, fastest > 0 ? most_turned / fastest : std::numeric_limits<double>::infinity());
 }
 
+template <class S>
+double RigidBodies<S>::lightness_in_springs(const Model<S>& model) const {
+  double most = 1;
+  for (const Body& body : bodies_) {
+    if (!(body.lightness > most)) continue;
+    const bool touched =
+        std::ranges::any_of(body.nodes, [&](std::int32_t n) { return record(model.nodes.force.data(), n)[3] > S(0); });
+    if (touched) most = body.lightness;
+  }
+  return most;
+}
+
 /// Of many bodies nearly always all are known to be slower by what they have beside the first.
 template <class S>
 double RigidBodies<S>::relative_speed(const std::vector<BodySpeed>& others, double jump, double least) const {
@@ -49,6 +61,8 @@ double RigidBodies<S>::relative_speed(const std::vector<BodySpeed>& others, doub
 
 template double RigidBodies<double>::longest_step() const;
 template double RigidBodies<float>::longest_step() const;
+template double RigidBodies<double>::lightness_in_springs(const Model<double>&) const;
+template double RigidBodies<float>::lightness_in_springs(const Model<float>&) const;
 template double RigidBodies<double>::relative_speed(const std::vector<BodySpeed>&, double, double) const;
 template double RigidBodies<float>::relative_speed(const std::vector<BodySpeed>&, double, double) const;
 

@@ -63,8 +63,13 @@ double Solver<S>::leap(const Due& due, const InternalForceResult<S>& element, co
 template <class S>
 void Solver<S>::choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs) {
   timers_.measure(Phase::time_step, [&] {
-    StepBound bound = schedule_.bound(model_, due, internal_forces_.tiles(), element.time_step, element.time_step_slot,
-                                      springs.frequency2);
+    double springs2 = springs.frequency2;
+    if (springs2 > 0 && rigid_.any_light()) {
+      space_->show(NodeNumbers::force);
+      springs2 *= rigid_.lightness_in_springs(model_);
+    }
+    StepBound bound =
+        schedule_.bound(model_, due, internal_forces_.tiles(), element.time_step, element.time_step_slot, springs2);
     if (rigid_.any()) {
       const double leap = rigid_.leap(clock_.time(), clock_.time(), clock_.lengths()), longest = rigid_.longest_step();
       bound.longest = std::min(longest, rigid_impacts_.longest_step(rigid_, leap, std::min(longest, bound.stable)));
