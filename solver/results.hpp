@@ -97,7 +97,7 @@ struct PairResult {
   Point impulse{};         ///< given to the first side [mass length/time]
 };
 
-/// Two bodies that share space at the start.
+/// Two bodies that share space at the start, or when contact between them begins.
 struct OverlapResult {
   std::string first, second;
   std::int64_t points = 0;  ///< nodes, and points of elements, that lie more than a tenth of an element inside
@@ -105,6 +105,7 @@ struct OverlapResult {
   std::string place;        ///< the deepest of them: "node 17 of body rod"; empty: there is none
   double depth = 0.0;       ///< of it, from the surface of the other body [length]
   double share = 0.0;       ///< the same over the size of a face there [-]
+  double time = 0.0;        ///< when they do [time]
 };
 
 /// What one quantity of a probe is at the end.
@@ -271,7 +272,7 @@ struct RunSummary {
   double max_penetration_time = 0.0;    ///< when it was
   std::string max_penetration_place;    ///< a node of it: "node 17 of body rod"; empty: there was none
   std::string overlapping_bodies;       ///< "a and b": the first two that shared space at the start; empty: none did
-  std::vector<OverlapResult> overlaps;  ///< all that share space at the start, two by two
+  std::vector<OverlapResult> overlaps;  ///< all that share space then, two by two
   std::string overlap_at_end;           ///< the same two at the end, with the number of points inside; empty: none do
   std::string unseen_balls;             ///< which balls find each other too late, and how late; empty: none do
   std::vector<std::string>

@@ -60,8 +60,11 @@ InitialOverlap find_overlap_at(double time, const Scene& scene, const ModelMesh&
   return find_initial_overlap(mesh, pairs, depth, rigid_body_of_bodies(scene));
 }
 
-std::vector<InitialOverlap> find_initial_overlaps(const Scene& scene, const ModelMesh& mesh) {
-  const OverlappingBodies bodies(mesh, scene.contact_pairs, rigid_body_of_bodies(scene));
+namespace {
+
+std::vector<InitialOverlap> all_overlaps(const Scene& scene, const ModelMesh& mesh,
+                                         const std::vector<ContactPair>& pairs, double time) {
+  const OverlappingBodies bodies(mesh, pairs, rigid_body_of_bodies(scene));
   NodeDepths depths(scene, mesh, bodies);
   std::vector<InitialOverlap> found;
   bodies.for_each([&](std::size_t a, std::size_t b, const Bounds& box) {
@@ -74,10 +77,24 @@ std::vector<InitialOverlap> find_initial_overlaps(const Scene& scene, const Mode
       pair.depth = depth.depth;
       pair.share = depth.depth / depth.size;
     });
+    pair.time = time;
     if (pair.points > 0 || pair.nodes > 0) found.push_back(pair);
     return true;
   });
   return found;
+}
+
+}  // namespace
+
+std::vector<InitialOverlap> find_initial_overlaps(const Scene& scene, const ModelMesh& mesh) {
+  return all_overlaps(scene, mesh, scene.contact_pairs, 0);
+}
+
+std::vector<InitialOverlap> find_begun_overlaps(const Scene& scene, const ModelMesh& mesh, double before, double time) {
+  std::vector<ContactPair> pairs = scene.contact_pairs;
+  std::erase_if(
+      pairs, [&](const ContactPair& pair) { return !(before < pair.start && pair.start <= time) || pair.end <= time; });
+  return pairs.empty() ? std::vector<InitialOverlap>() : all_overlaps(scene, mesh, pairs, time);
 }
 
 }  // namespace pinball

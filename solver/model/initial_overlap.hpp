@@ -18,6 +18,7 @@ struct InitialOverlap {
   std::int32_t node = -1;  ///< the deepest of them, in the order of the scene; negative: there is none
   double depth = 0;        ///< its distance to the surface of the other body [length]
   double share = 0;        ///< the same over the size of the face there [-]
+  double time = 0;         ///< when contact between them begins [time]
 };
 
 /// The first two bodies that overlap, by default more than rounding and curved surfaces of touching meshes do: a node
@@ -36,6 +37,10 @@ InitialOverlap find_overlap_at(double time, const Scene& scene, const ModelMesh&
 /// or with nodes more than a hundredth of a face. A node inside is known from the facets that a curved surface is made
 /// of: how far these stand out of the surface follows from the angles between them.
 std::vector<InitialOverlap> find_initial_overlaps(const Scene& scene, const ModelMesh& mesh);
+
+/// The same of bodies whose contact begins later: by pairs that begin after `before`, and not after `time`. mesh: as it
+/// is at that time.
+std::vector<InitialOverlap> find_begun_overlaps(const Scene& scene, const ModelMesh& mesh, double before, double time);
 
 /// contact.overlap = "adjust": puts the nodes that lie inside another body on its surface, each of two bodies by its
 /// share, without stress: before volumes and masses are known. Nodes that are held in all directions, or tied, stay,

@@ -95,7 +95,7 @@ Json pair_json(const PairResult& pair) {
 
 Json overlap_json(const OverlapResult& overlap) {
   return {{"first", overlap.first}, {"second", overlap.second}, {"points", overlap.points}, {"nodes", overlap.nodes},
-          {"place", overlap.place}, {"depth", overlap.depth},   {"share", overlap.share}};
+          {"place", overlap.place}, {"depth", overlap.depth},   {"share", overlap.share},   {"time", overlap.time}};
 }
 
 Json tied_json(const TiedResult& tied) {

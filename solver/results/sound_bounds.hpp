@@ -16,6 +16,8 @@ inline constexpr double depth_at_end = 0.2;
 /// Depth of a node in another body at the start, over the size of an element, up to which contact between faces holds
 /// it where it is: what is deeper passes [-].
 inline constexpr double overlap_held = 0.25;
+/// The same where contact begins later [-].
+inline constexpr double late_overlap_held = 0.15;
 /// Energy that contact has brought in, of the energy in motion [-].
 inline constexpr double contact_created = 0.01;
 /// Energy that contact has taken out of bodies that cannot but keep it, of the energy in motion. Where coarse meshes

@@ -30,7 +30,9 @@ void add_unconverged_contact(const IterationCounts& counts, std::vector<std::str
 /// "bodies pin and plate overlap at the start, by 32 of their nodes, deepest at node 17 of body pin, which lies 0.5
 /// deep (5 % of ...)"
 std::string overlap_text(const OverlapResult& overlap) {
-  std::string text = fmt::format("bodies {} and {} overlap at the start", overlap.first, overlap.second);
+  std::string text = fmt::format(
+      "bodies {} and {} overlap {}", overlap.first, overlap.second,
+      overlap.time > 0 ? fmt::format("when their contact begins, at time {:.6g}", overlap.time) : "at the start");
   if (overlap.nodes == 0) {
     return text + fmt::format(", by {} or edges of their elements, although no node of one lies in the other",
                               counted(overlap.points, "point"));
@@ -39,25 +41,36 @@ std::string overlap_text(const OverlapResult& overlap) {
                             overlap.nodes, overlap.place, overlap.depth, percent(overlap.share));
 }
 
-/// The deepest overlaps first; many of them are reported by their number.
-void add_overlaps(const RunSummary& summary, std::vector<std::string>& found) {
+/// What contact makes of an overlap, and what may be done.
+std::string overlap_advice(const RunSummary& summary, const OverlapResult& overlap) {
+  const bool late = overlap.time > 0, springs = summary.contact_enforcement == "penalty";
+  if (late && springs) {
+    return ": springs push them apart at once, with energy that nobody gave: begin it before they meet, or keep them "
+           "apart till then";
+  }
+  if (overlap.nodes == 0 || overlap.share > (late ? sound::late_overlap_held : sound::overlap_held)) {
+    return std::string(": contact cannot tell from which side they came, and lets such nodes pass: ") +
+           (late ? "begin it before they meet, or keep them apart till then" : "move the bodies apart");
+  }
+  if (late) return ": contact keeps them as they are, without stress: begin it before they meet";
+  return ": contact keeps them as they are, without stress: contact.overlap = \"adjust\" puts the nodes on the surface";
+}
+
+/// The deepest overlaps first; many of them are reported by their number. late: of contact that begins after the start.
+void add_overlaps(const RunSummary& summary, bool late, std::vector<std::string>& found) {
   constexpr std::size_t most_reported = 5;
   std::vector<OverlapResult> overlaps = summary.overlaps;
+  std::erase_if(overlaps, [late](const OverlapResult& overlap) { return (overlap.time > 0) != late; });
   std::stable_sort(overlaps.begin(), overlaps.end(),
                    [](const OverlapResult& a, const OverlapResult& b) { return a.share > b.share; });
   for (std::size_t i = 0; i < std::min(overlaps.size(), most_reported); ++i) {
-    const bool deep = overlaps[i].nodes == 0 || overlaps[i].share > sound::overlap_held;
-    found.push_back(overlap_text(overlaps[i]) +
-                    (deep
-                         ? ": contact cannot tell from which side they came, and lets such nodes pass: move the bodies "
-                           "apart"
-                         : ": contact keeps them as they are, without stress: contact.overlap = \"adjust\" puts the "
-                           "nodes on the surface"));
+    found.push_back(overlap_text(overlaps[i]) + overlap_advice(summary, overlaps[i]));
   }
   if (overlaps.size() > most_reported) {
     found.push_back(fmt::format(
-        "{} at the start, less deep: contact.overlaps of summary.json has them all",
-        counted(overlaps.size() - most_reported, "more pair of bodies overlaps", "more pairs of bodies overlap")));
+        "{} {}, less deep: contact.overlaps of summary.json has them all",
+        counted(overlaps.size() - most_reported, "more pair of bodies overlaps", "more pairs of bodies overlap"),
+        late ? "when contact begins" : "at the start"));
   }
 }
 
@@ -114,6 +127,7 @@ std::vector<std::string> warnings(const RunSummary& summary) {
                     "contact has let them in",
                     summary.end_time, percent(sound::depth_at_end), summary.overlap_at_end));
   }
+  add_overlaps(summary, true, found);
   add_unconverged_contact(summary.iterations, found);
   for (const std::string& warning : start_warnings(summary)) found.push_back(warning);
   return found;
@@ -136,7 +150,7 @@ std::string added_mass_text(const RunSummary& summary) {
 std::vector<std::string> start_warnings(const RunSummary& summary) {
   std::vector<std::string> found = summary.mesh_warnings;
   found.insert(found.end(), summary.unlikely.begin(), summary.unlikely.end());
-  add_overlaps(summary, found);
+  add_overlaps(summary, false, found);
   if (!summary.unseen_balls.empty()) {
     found.push_back(
         fmt::format("{}: choose contact.enforcement = \"lagrange\" with contact.gap = \"face\", or meshes "

@@ -63,20 +63,27 @@ std::string large_added_mass(const Model<S>& model) {
       model.mesh.body_names[worst], 100 * share, 100 * sound::added_mass);
 }
 
+OverlapResult overlap_result(const ModelMesh& mesh, const InitialOverlap& found) {
+  OverlapResult overlap;
+  overlap.first = found.first;
+  overlap.second = found.second;
+  overlap.points = found.points;
+  overlap.nodes = found.nodes;
+  overlap.depth = found.depth;
+  overlap.share = found.share;
+  overlap.time = found.time;
+  if (found.node >= 0) overlap.place = node_name(mesh, found.node);
+  return overlap;
+}
+
 template <class S>
 void add_overlaps(const Solver<S>& solver, RunSummary& summary) {
-  const ModelMesh& mesh = solver.mesh();
   for (const InitialOverlap& found : solver.initial_overlaps()) {
     if (summary.overlaps.empty()) summary.overlapping_bodies = fmt::format("{} and {}", found.first, found.second);
-    OverlapResult& overlap = summary.overlaps.emplace_back();
-    overlap.first = found.first;
-    overlap.second = found.second;
-    overlap.points = found.points;
-    overlap.nodes = found.nodes;
-    overlap.depth = found.depth;
-    overlap.share = found.share;
-    if (found.node < 0) continue;
-    overlap.place = node_name(mesh, found.node);
+    summary.overlaps.push_back(overlap_result(solver.mesh(), found));
+  }
+  for (const InitialOverlap& found : solver.begun_overlaps()) {
+    summary.overlaps.push_back(overlap_result(solver.mesh(), found));
   }
 }
 

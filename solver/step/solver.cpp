@@ -122,21 +122,15 @@ void Solver<S>::finish() {
   if (domain_) domain_->order(RankOrder::finish);
   advance(true);
   if (contact() == nullptr || counts_.eroded_elements() > 0) return;
-  model();
-  std::vector<Point> places;
-  for (const std::int32_t n : model_.node_of_scene_node) {
-    const S* x = model_.nodes.position_of(n);
-    places.push_back({x[0], x[1], x[2]});
-  }
-  std::swap(model_.mesh.nodes, places);
-  overlap_at_end_ = find_overlap_at(clock_.time(), model_.scene, model_.mesh, sound::depth_at_end);
-  std::swap(model_.mesh.nodes, places);
+  look_at_present_mesh(
+      [this] { overlap_at_end_ = find_overlap_at(clock_.time(), model_.scene, model_.mesh, sound::depth_at_end); });
 }
 
 /// The explicit step of the report's figure 4, with its figure 3 for contact: the program's table of contents. Each
 /// stage is timed (Phase). Node forces are zero between steps.
 template <class S>
 void Solver<S>::make_step(const Due& due) {
+  look_at_begun_contact();                                               //      tells of what overlaps then
   if (domain_) domain_->begin_step();
   const InternalForceResult<S> element = internal_forces(due);           // 3    f -= B^T sigma V, and the stable step
   const ContactWork ties = update_ties();                                //      which nodes are tied from now on

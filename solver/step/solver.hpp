@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <solver/base/state_archive.hpp>
@@ -22,6 +23,7 @@
 #include <solver/results/timers.hpp>
 #include <solver/rigid/rigid_bodies.hpp>
 
+#include "begun_overlaps.hpp"
 #include "changed_velocities.hpp"
 #include "contact_stage.hpp"
 #include "energy/body_energies.hpp"
@@ -130,6 +132,8 @@ class Solver {
   std::vector<ProbeResult> probe_results() const;
 
   const std::vector<InitialOverlap>& initial_overlaps() const { return initial_overlaps_; }
+  /// Of bodies whose contact began later, when it did.
+  const std::vector<InitialOverlap>& begun_overlaps() const { return begun_overlaps_.found(); }
   /// After finish(), where nothing has eroded: erosion exposes what lies deep inside others.
   const InitialOverlap& overlap_at_end() const { return overlap_at_end_; }
   const std::optional<UnseenBalls>& unseen_balls() const { return unseen_balls_; }
@@ -161,6 +165,20 @@ class Solver {
   void begin_change_of_velocities();
   void end_change_of_velocities();
   void make_step(const Due& due);
+  void look_at_begun_contact();
+  /// Calls look() while the mesh has the present places of its nodes.
+  template <class Look>
+  void look_at_present_mesh(const Look& look) {
+    model();
+    std::vector<Point> places;
+    for (const std::int32_t n : model_.node_of_scene_node) {
+      const S* x = model_.nodes.position_of(n);
+      places.push_back({x[0], x[1], x[2]});
+    }
+    std::swap(model_.mesh.nodes, places);
+    look();
+    std::swap(model_.mesh.nodes, places);
+  }
   std::unique_ptr<StepSpace<S>> make_space();
 
   InternalForceResult<S> internal_forces(const Due& due);
@@ -212,7 +230,8 @@ class Solver {
   std::vector<BodyResult> bodies_at_start_;
   InitialOverlap overlap_at_end_;
   std::vector<InitialOverlap> initial_overlaps_;  ///< only looked for in a scene with contact
-  std::optional<UnseenBalls> unseen_balls_;       ///< only looked for where the gap is that of balls
+  BegunOverlaps begun_overlaps_;
+  std::optional<UnseenBalls> unseen_balls_;  ///< only looked for where the gap is that of balls
   std::vector<std::string> near_nodes_;
   std::string unstable_hourglass_, many_steps_;
   double sound_swallowing_ = 0;

@@ -114,6 +114,14 @@ Array<S>& Solver<S>::host_forces() {
   return boundary_.host_forces(model_);
 }
 
+/// Pairs begin to act in the step whose forces belong to the present time.
+template <class S>
+void Solver<S>::look_at_begun_contact() {
+  const double before = clock_.force_time(), time = clock_.time();
+  if (contact() == nullptr || !BegunOverlaps::begins(model_.scene, before, time)) return;
+  look_at_present_mesh([&] { begun_overlaps_.look(model_.scene, model_.mesh, before, time); });
+}
+
 template <class S>
 std::size_t Solver<S>::bytes() const {
   return model_.bytes() + internal_forces_.bytes() + schedule_.bytes() + contact_.bytes() + symmetry_walls_.bytes() +
@@ -146,6 +154,7 @@ void Solver<S>::persist(StateArchive& archive) {
   timers_.persist(archive);
   changed_velocities_.persist(archive, model_);
   archive(initial_momentum_);
+  begun_overlaps_.persist(archive, model_.nodes.count);
   if (!archive.reads()) return;
   check_places(archive);
   choose_common_nodes();
@@ -190,6 +199,8 @@ template std::vector<double> Solver<double>::probe_values() const;
 template std::vector<double> Solver<float>::probe_values() const;
 template std::vector<ProbeResult> Solver<double>::probe_results() const;
 template std::vector<ProbeResult> Solver<float>::probe_results() const;
+template void Solver<double>::look_at_begun_contact();
+template void Solver<float>::look_at_begun_contact();
 template Array<double>& Solver<double>::host_forces();
 template Array<float>& Solver<float>::host_forces();
 template std::size_t Solver<double>::bytes() const;

@@ -271,6 +271,7 @@ void expect_own_numbers(double sign) {
   overlap.nodes = n.whole("/contact/overlaps/0/nodes");
   overlap.depth = n("/contact/overlaps/0/depth");
   overlap.share = n("/contact/overlaps/0/share");
+  overlap.time = n("/contact/overlaps/0/time");
   s.pinballs = n.whole("/contact/pinballs");
   s.pairs_max = n.whole("/contact/pairs_max");
   s.iterations.solutions = n.whole("/contact/sweeps/solutions");

@@ -172,6 +172,60 @@ TEST(Soundness, BodiesThatAreInEachOtherAtTheEndAreSeenByTheirPlaces) {
   EXPECT_EQ(result_of(scene).overlap_at_end, "") << "they are meant to";
 }
 
+/// A block that flies into another before contact between them begins.
+Scene begun_late(double start) {
+  Scene scene = scene_of(
+      {block("a", {2, 2, 2}, 0.1, {0, 0, 0}), block("b", {2, 2, 2}, 0.1, {0.03, 0.04, 0.21}, {0, 0, -100})}, 8e-4);
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  scene.contact_pairs = {{.name = "p", .first = {.bodies = {"a"}}, .second = {.bodies = {"b"}}}};
+  scene.contact_pairs[0].start = start;
+  return scene;
+}
+
+TEST(Soundness, OverlapsWhereContactBeginsLaterAreToldWithTheirTime) {
+  Solver<double> solver(begun_late(4e-4));
+  while (solver.force_time() < 4e-4) {
+    EXPECT_TRUE(solver.begun_overlaps().empty()) << solver.time();
+    solver.step();
+  }
+  const double time = solver.force_time();
+  const RunSummary summary = summary_of(solver);
+  ASSERT_EQ(summary.overlaps.size(), 1U);
+  const OverlapResult& found = summary.overlaps[0];
+  EXPECT_EQ(found.first + ", " + found.second, "a, b");
+  EXPECT_EQ(found.nodes, 8);
+  EXPECT_EQ(found.time, time);
+  EXPECT_NEAR(found.depth, 100 * time - 0.01, 1e-9);
+  EXPECT_NEAR(found.share, found.depth / 0.1, 1e-9);
+  EXPECT_EQ(summary.overlapping_bodies, "") << "at the start";
+  EXPECT_THAT(warnings(summary), testing::Contains(MatchesRegex(
+                                     "bodies a and b overlap when their contact begins, at time 0.0004.*, by 8 of "
+                                     "their nodes, deepest at node [0-9]+ of body [ab], which lies 0.03.* deep "
+                                     "\\(3.* % of an element\\): contact cannot tell from which side they "
+                                     "came.*")));
+  EXPECT_TRUE(start_warnings(summary).empty());
+}
+
+TEST(Soundness, ContactThatBeginsBeforeBodiesMeetIsNotTold) {
+  EXPECT_TRUE(result_of(begun_late(5e-5)).overlaps.empty());
+  Scene over = begun_late(4e-4);
+  over.contact_pairs[0].end = 3e-4;
+  EXPECT_TRUE(result_of(over).overlaps.empty()) << "it never begins";
+}
+
+TEST(Soundness, OverlapsThatWereToldAreSavedWithTheState) {
+  Solver<double> solver(begun_late(4e-4)), later(begun_late(4e-4));
+  while (solver.force_time() < 5e-4) solver.step();
+  StateBytes bytes;
+  StateArchive::save(bytes, [&](StateArchive& archive) { solver.persist(archive); });
+  StateArchive archive = StateArchive::reading({bytes.data(), static_cast<std::size_t>(bytes.size())});
+  later.persist(archive);
+  ASSERT_EQ(later.begun_overlaps().size(), 1U);
+  EXPECT_EQ(later.begun_overlaps()[0].depth, solver.begun_overlaps()[0].depth);
+  EXPECT_EQ(later.begun_overlaps()[0].first, "a");
+}
+
 TEST(Soundness, ABendOfOneLayerIsAllHourglassEnergy) {
   Scene scene = scene_of({block("beam", {8, 1, 1}, 0.1, {0, 0, 0})}, 4e-3, false);
   scene.element.hourglass_coefficient = 1;

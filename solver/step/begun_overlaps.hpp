@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <solver/base/state_archive.hpp>
+#include <solver/model/initial_overlap.hpp>
+
+namespace pinball {
+
+/// Bodies that share space when contact between them begins, where that is later than the start.
+class BegunOverlaps {
+ public:
+  /// Whether a pair of the scene begins in the step to a time, from the time before.
+  static bool begins(const Scene& scene, double before, double time);
+  /// Then; mesh: as it is at that time.
+  void look(const Scene& scene, const ModelMesh& mesh, double before, double time);
+
+  const std::vector<InitialOverlap>& found() const { return found_; }
+  void persist(StateArchive& archive, std::int64_t nodes);
+
+ private:
+  std::vector<InitialOverlap> found_;
+};
+
+}  // namespace pinball
