@@ -129,13 +129,14 @@ struct WallGap {
 
 /// Whether all nodes of a pack are so far from a wall that StopAtWall has nothing to do for them: neither behind it
 /// after the step, nor after two more like it. Not where rounding alone might say so, not of what is no number, nor
-/// where nodes do not lie in a row. node: width_of<T> of them, ascending.
+/// where nodes do not lie in a row. node: width_of<T> of them, in any order.
 template <class T>
 PINBALL_FUNCTION bool wall_is_far(const NodeArrays<ScalarOf<T>>& nodes, const WallPlane<ScalarOf<T>>& wall,
                                   const std::int32_t* node, const WallStep<ScalarOf<T>>& step) {
   using S = ScalarOf<T>;
-  constexpr int last = width_of<T> - 1;
-  if (node[last] - node[0] != last) return false;
+  bool in_a_row = true;
+  for (int lane = 1; lane < width_of<T>; ++lane) in_a_row = in_a_row && node[lane] == node[0] + lane;
+  if (!in_a_row) return false;
   const std::int64_t first = node[0];
   const Vec3<T> x = vectors_from<T>(nodes.position, first), v = vectors_from<T>(nodes.velocity, first),
                 f = vectors_from<T>(nodes.force, first);

@@ -112,6 +112,14 @@ TYPED_TEST(WallPacks, DoNotPassWithWhatIsNoNumberNorOutOfARow) {
     apart.node[0] = 0;
     EXPECT_FALSE(apart.stop(step).template passes<T>(0));
   }
+  // Nodes that are held come behind the others, in an order of their own: the first and the last do not tell.
+  for (int lane = 1; lane + 1 < W; ++lane) {
+    Cloud<S> between(1, S(1));
+    high(between);
+    between.node[lane] = 40;
+    for (int k = 0; k < 3; ++k) between.position[4 * 40 + k] -= 200 * between.plane.normal[k];
+    EXPECT_FALSE(between.stop(step).template passes<T>(0));
+  }
 }
 
 }  // namespace
