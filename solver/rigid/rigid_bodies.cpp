@@ -265,7 +265,9 @@ double RigidBodies<S>::kinetic_beside(const StepLengths& step) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const Body& body = bodies_[b];
     if (!body.has_own_inertia) continue;
-    const Point w = body.motion.angular_velocity();
+    RigidBodyMotion now = body.motion;
+    now.begin({});  // others may have changed it since the step began
+    const Point w = now.angular_velocity();
     Point later = w;
     for (std::size_t k = 0; k < 3; ++k) later[k] += step.before * body.motion.angular_acceleration()[k];
     twice += dot(w, times(body.motion.turned(body.more_inertia), later.data()));

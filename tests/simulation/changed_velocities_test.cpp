@@ -158,6 +158,31 @@ plane = { point = [6, 0, 0], normal = [1, 0, 0] }
   });
 }
 
+/// Its energy is that of its own mass, centre and inertia, which are none of the nodes.
+TEST(VelocitiesOfAHost, OfARigidBodyWithAnInertiaOfItsOwnDoItsWork) {
+  Simulation simulation(scene_of_text(bar + R"([[rigid_body]]
+name = "hammer"
+bodies = ["bar"]
+mass = 0.2
+centre = [2, 0.6, 0.4]
+inertia = [[0.3, 0.01, 0], [0.01, 0.7, 0.02], [0, 0.02, 0.8]]
+velocity = [1, 2, 0]
+angular_velocity = [0.3, -0.2, 0.5]
+)"));
+  for (int step = 0; step < 30; ++step) simulation.step();
+  const double before = simulation.energies().kinetic;
+  const ArrayView v = simulation.velocities_to_change();
+  const ConstArrayView x = simulation.positions();
+  for (std::int64_t n = 0; n < v.count; ++n) {
+    *v.at<double>(n, 0) += 3 - 2 * *x.at<double>(n, 1);
+    *v.at<double>(n, 1) += 2 * *x.at<double>(n, 0);
+  }
+  simulation.run();
+  const double more = simulation.energies().kinetic - before;
+  EXPECT_GT(more, 1);
+  EXPECT_NEAR(simulation.energies().external, more, 1e-5 * more);
+}
+
 TEST(VelocitiesOfAHost, DoTheSameOnADevice) {
   Scene scene = scene_of_text(bar + held);
   const Kicked on_host = kicked(scene, false, own_kick);
