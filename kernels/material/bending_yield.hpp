@@ -53,6 +53,10 @@ template <class Law>
 requires requires(const Law& law) { law.modulus(); }
 PINBALL_FUNCTION auto half_return_modulus(const Law& law) { return law.modulus() / 2; }
 
+/// Below this part of a modulus a stress is nothing [-].
+template <class S>
+inline constexpr S least_strain = sizeof(S) == sizeof(double) ? S(0x1p-300) : S(0x1p-40);
+
 /// mean: q_s^2, variation: q_S^2, alignment: r [stress^2]. The edges of sheared elements are not orthogonal, and r may
 /// seem larger than it can be.
 /// law: MaterialConstants, or another with plastic_increment() and return_modulus().
@@ -68,7 +72,11 @@ PINBALL_FUNCTION YieldFactors<T> return_in_bending(const Law& law, const T& mean
   // if (dl > 0) lost = 3 mu dl / q; else lost = 0 (q may be zero then)
   const auto plus_yields = dl_plus > T(0), minus_yields = dl_minus > T(0);
   const T half_modulus(half_return_modulus(law));
-  const T used_plus = select(plus_yields, q_plus, T(1)), used_minus = select(minus_yields, q_minus, T(1));
+  // What has no strength loses all but round-off of its stress in each step. What is left in the end, where nothing
+  // strains the element, is no divisor: the product of two of them would be zero.
+  const T least(half_return_modulus(law) * least_strain<ScalarOf<T>>);
+  const T used_plus = select(plus_yields, maximum(q_plus, least), T(1)),
+          used_minus = select(minus_yields, maximum(q_minus, least), T(1));
   const T factor = half_modulus / (used_plus * used_minus);  // both quotients from one division
   const T plus = factor * used_minus * dl_plus, minus = factor * used_plus * dl_minus;
   return {T(1) - (plus + minus), minus - plus};

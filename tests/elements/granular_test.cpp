@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <solver/scene_rules.hpp>
+#include <solver/simulation.hpp>
 #include <solver/summary.hpp>
 
 #include "stretched_cube.hpp"
@@ -196,6 +197,23 @@ TEST(Granular, HasTheStrengthOfAConstantBulkModulus) {
   const double p = -(s[0] + s[1] + s[2]) / 3;
   EXPECT_NEAR(p, 2e8 * strain, 1e-5 * p);
   EXPECT_NEAR(s[0] - s[2], std::sqrt(3 * (1e8 + 2e4 * p + 0.03 * p * p)), 1e-10 * p);
+}
+
+/// Nothing strains a body that falls: of what round-off makes, its yield condition takes all in each step.
+TEST(Granular, FallsWithoutCohesion) {
+  Scene scene = scene_of({block("cube", {3, 2, 3}, 0.03, {0, 0, 0})}, 1e-3, false);
+  Material m = sand();
+  m.drucker_prager = {0, 2e7, 0};
+  scene.materials = {m};
+  scene.bodies[0].velocity = {0, -6, -60};
+  scene.gravities.emplace_back().acceleration = {1e4, 0, -1e5};
+  for (const Precision precision : {Precision::float64, Precision::mixed}) {
+    scene.precision = precision;
+    Simulation simulation(scene);
+    simulation.run();
+    EXPECT_TRUE(simulation.complete());
+    EXPECT_NEAR(simulation.bodies()[0].velocity[2], -60 - 1e5 * simulation.time(), 1e-9 * 160);
+  }
 }
 
 }  // namespace

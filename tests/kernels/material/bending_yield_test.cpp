@@ -8,6 +8,20 @@ using namespace test;
 
 constexpr double mu = 80, infinity = std::numeric_limits<double>::infinity();
 
+/// Stresses of any size of a material without strength: what is left of them is a number, and no more than they were.
+template <class S>
+void expect_numbers_without_strength() {
+  for (const S modulus : {S(1e-2), S(80), S(1e11)}) {
+    const MaterialConstants<S> weak{2 * modulus, modulus, 0, 0, std::numeric_limits<S>::infinity(), 3 * modulus, 1};
+    for (S q = modulus; q > 0; q /= 10) {
+      S strain = 0;
+      const YieldFactors<S> left = return_in_bending(weak, q * q, S(0.3) * q * q, S(0.5) * q * q, strain);
+      EXPECT_TRUE(std::isfinite(strain));
+      EXPECT_LE(std::abs(left.mean) + std::abs(left.difference), S(1.001)) << q << " of " << modulus;
+    }
+  }
+}
+
 MaterialConstants<double> material(double yield, double modulus) { return {150, mu, yield, modulus, infinity, 3, 1}; }
 
 TEST(YieldInBending, WithoutVariationIsTheRadialReturn) {
@@ -67,6 +81,11 @@ TEST(YieldInBending, IsAskedForWhereverAPointYields) {
       EXPECT_GT(largest_effective_square(mean, variation), 1);
     }
   }
+}
+
+TEST(YieldInBending, LeavesNumbersWhereThereIsNoStrength) {
+  expect_numbers_without_strength<double>();
+  expect_numbers_without_strength<float>();
 }
 
 }  // namespace
