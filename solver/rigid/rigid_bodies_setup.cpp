@@ -82,6 +82,22 @@ double lightness_of(const RigidBodyMotion& body, const std::array<Point, 3>& mor
   return largest > 1 + rounding ? largest : 1.0;
 }
 
+void change(RigidBodyMotion& motion, const Twist& by) {
+  Point v = motion.state().velocity, w = motion.angular_velocity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    v[k] += by.velocity[k];
+    w[k] += by.angular_velocity[k];
+  }
+  motion.set_velocities(v, w);
+}
+
+template <class S>
+std::vector<S> velocities_of(Model<S>& model, const std::vector<std::int32_t>& nodes) {
+  std::vector<S> all;
+  for (const std::int32_t n : nodes) all.insert(all.end(), model.nodes.velocity_of(n), model.nodes.velocity_of(n) + 3);
+  return all;
+}
+
 bool at_right_angles(const Point& a, const Point& b) { return std::abs(dot(a, b)) < 1e-6; }
 
 bool overlap(const TimeSpan& a, const TimeSpan& b) {
@@ -314,33 +330,48 @@ void RigidBodies<S>::keep_joints(Model<S>& model, bool of_start) {
   const std::vector<Twist> changes = joints_->corrections(bodies);
   if (of_start) joints_->check_start(bodies, changes);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    Point v = bodies_[b].motion.state().velocity, w = bodies_[b].motion.angular_velocity();
     if (changes[b].velocity == Point{} && changes[b].angular_velocity == Point{}) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      v[k] += changes[b].velocity[k];
-      w[k] += changes[b].angular_velocity[k];
-    }
-    bodies_[b].motion.set_velocities(v, w);
+    change(bodies_[b].motion, changes[b]);
     put_nodes(model, bodies_[b]);
   }
 }
 
+/// Bodies whose nodes have the motion of the body keep it to the bit. Joints hold in the middle of a step, where
+/// velocities are, and let less be at the places after it, of what turns: they have a say in what others have changed
+/// alone.
 template <class S>
 void RigidBodies<S>::take_velocities(Model<S>& model) {
   const std::vector<std::int32_t> scene_node = inverse_permutation(model.node_of_scene_node);
-  const auto spin_of = [](const Body& body) {
-    RigidBodyMotion now = body.motion;
-    now.begin({});
-    return now.angular_velocity();
-  };
-  std::vector<Point> spins;
-  for (const Body& body : bodies_) spins.push_back(spin_of(body));
-  for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, scene_node, false);
-  if (joints_) {
+  const auto begin = [this] {
     for (Body& body : bodies_) body.motion.begin(body.given);
-    keep_joints(model, false);
+  };
+  begin();
+  std::vector<Point> spins;
+  for (const Body& body : bodies_) spins.push_back(body.motion.angular_velocity());
+  const std::vector<Twist> own = joints_ ? joints_->corrections(jointed()) : std::vector<Twist>();
+  bool any = false;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const std::vector<S> given = velocities_of(model, bodies_[b].nodes);
+    put_nodes(model, bodies_[b]);
+    if (velocities_of(model, bodies_[b].nodes) == given) continue;
+    for (std::size_t i = 0; i < bodies_[b].nodes.size(); ++i)
+      std::copy_n(given.data() + 3 * i, 3, model.nodes.velocity_of(bodies_[b].nodes[i]));
+    take_velocities(model, b, scene_node, false);
+    any = true;
   }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) bodies_[b].change_of_spin = minus(spin_of(bodies_[b]), spins[b]);
+  begin();
+  if (joints_ && any) {
+    const std::vector<Twist> all = joints_->corrections(jointed());
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const Twist by{minus(all[b].velocity, own[b].velocity), minus(all[b].angular_velocity, own[b].angular_velocity)};
+      if (by.velocity == Point{} && by.angular_velocity == Point{}) continue;
+      change(bodies_[b].motion, by);
+      put_nodes(model, bodies_[b]);
+    }
+    begin();
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    bodies_[b].change_of_spin = minus(bodies_[b].motion.angular_velocity(), spins[b]);
 }
 
 template RigidBodies<double>::RigidBodies(Model<double>&);
