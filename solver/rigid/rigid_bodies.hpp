@@ -137,7 +137,7 @@ class RigidBodies {
   void take_gravities(const Scene& scene, const RigidBody& given, Body& body) const;
   Point gravity_beside(const Body& body, double time, const StepLengths& step) const;
   void choose_given(Body& body, double time) const;
-  void keep_joints(Model<S>& model, bool of_start);
+  void keep_joints(Model<S>& model);
   std::vector<JointedBody> jointed() const;
   RowTensor way_ahead(const Body& body, const StepLengths& step) const;
   double given_speed(const Body& body, const RigidMotion& motion, double time, double later,

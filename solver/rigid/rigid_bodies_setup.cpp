@@ -127,7 +127,7 @@ RigidBodies<S>::RigidBodies(Model<S>& model) : motions_(model.scene.rigid_motion
   std::vector<const RigidBodyMotion*> motions;
   for (const Body& body : bodies_) motions.push_back(&body.motion);
   joints_ = std::make_unique<Joints>(model.scene.joints, model.scene.rigid_bodies, motions);
-  keep_joints(model, true);
+  keep_joints(model);
   begin_step(0, 0);
 }
 
@@ -325,10 +325,10 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
 
 /// What its joints do not let a body do it does not begin with. Bodies: since begin_step().
 template <class S>
-void RigidBodies<S>::keep_joints(Model<S>& model, bool of_start) {
+void RigidBodies<S>::keep_joints(Model<S>& model) {
   const std::vector<JointedBody> bodies = jointed();
   const std::vector<Twist> changes = joints_->corrections(bodies);
-  if (of_start) joints_->check_start(bodies, changes);
+  joints_->check_start(bodies, changes);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (changes[b].velocity == Point{} && changes[b].angular_velocity == Point{}) continue;
     change(bodies_[b].motion, changes[b]);

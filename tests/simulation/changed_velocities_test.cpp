@@ -178,9 +178,9 @@ angular_velocity = [0.3, -0.2, 0.5]
     *v.at<double>(n, 1) += 2 * *x.at<double>(n, 0);
   }
   simulation.run();
-  const double more = simulation.energies().kinetic - before;
-  EXPECT_GT(more, 1);
-  EXPECT_NEAR(simulation.energies().external, more, 1e-5 * more);
+  const double gained = simulation.energies().kinetic - before;
+  EXPECT_GT(gained, 1);
+  EXPECT_NEAR(simulation.energies().external, gained, 1e-5 * gained);
 }
 
 TEST(VelocitiesOfAHost, DoTheSameOnADevice) {

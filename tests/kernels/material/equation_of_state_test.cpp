@@ -108,7 +108,7 @@ double energy_of_isentrope(const EquationOfState<double>& eos, double to) {
 
 /// The same in steps of the kernel.
 PressureState<double> compressed(const EquationOfState<double>& eos, double to, int steps) {
-  PressureState<double> now{0, 0, 0};
+  PressureState<double> now{0, 0, 0, 0};
   double volume = 1;
   for (int i = 1; i <= steps; ++i) {
     const double mu = to * i / steps, next = 1 / (1 + mu);
