@@ -88,10 +88,11 @@ void StepClock::choose(const Due& due, const StepBound& bound, double closing) {
   // The division says nothing about stability.
   if (dt_min_ == 0 || chosen < dt_min_) {
     dt_min_ = chosen;
-    limited_by_ = chosen == longest_impact_step_ || stable < bound.stable ? StepLimit::impact_speed
-                  : chosen == bound.longest                               ? StepLimit::rigid_bodies
-                  : bound.by_contact                                      ? StepLimit::contact
-                                                                          : StepLimit::element;
+    const bool by_leap = 2 * stable < bound.stable;  // the larger part of the rate 2/dt
+    limited_by_ = chosen == longest_impact_step_ || by_leap ? StepLimit::impact_speed
+                  : chosen == bound.longest                 ? StepLimit::rigid_bodies
+                  : bound.by_contact                        ? StepLimit::contact
+                                                            : StepLimit::element;
     limiting_slot_ = bound.slot;
   }
 }
