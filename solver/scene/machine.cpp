@@ -20,16 +20,15 @@ double memory_bytes() {
   return pages > 0 && size > 0 ? static_cast<double>(pages) * static_cast<double>(size) : 0.0;
 }
 
-/// Peaks of memory of one step of an elastic cube of 10^6 elements (5 * 10^5 with contact), in single and double
-/// precision: 279 and 433 bytes per element with viscous hourglass forces and nothing else, 370 and 618 with stiffness,
-/// 573 and 850 with bulk viscosity and contact, too. What is assumed is a tenth less; of
-/// mixed precision what single precision takes.
+/// Peaks of memory of three steps of an elastic cube of 10^6 elements, in single and double precision: 268 and 373
+/// bytes per element with viscous hourglass forces, 316 and 472 with assumed strains, 458 and 634 with contact, too.
+/// What is assumed is a tenth less; of mixed precision what single precision takes.
 double least_bytes_of_element(const Scene& scene, const ElementSettings& element) {
   const double number = has_single_elements(scene.precision) ? sizeof(float) : sizeof(double);
   const bool state = element.hourglass != HourglassControl::none && element.hourglass != HourglassControl::viscous;
   const ContactMethod method = scene.contact.method;
   const bool contact = method == ContactMethod::pinball || method == ContactMethod::slideline;
-  const double measured = 125 + 38 * number + (state ? 23 * number : 0) + (contact ? 165 + 6 * number : 0);
+  const double measured = 163 + 26 * number + (state ? 12 * number : 0) + (contact ? 117 + 6 * number : 0);
   return 0.9 * measured;
 }
 
