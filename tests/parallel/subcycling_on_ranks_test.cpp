@@ -113,7 +113,7 @@ TEST(SubcyclingOnRanks, HasThemOfManyPartitionsAtRandom) {
 }
 
 TEST(SubcyclingOnRanks, ChoosesTheSameLevelsWhereStepsChange) {
-  const Scene scene = pressed(1000);
+  const Scene scene = pressed(2000);
   EXPECT_GT(seen_in(scene).choices, 1U);
   expect_same_on<double>(two_to_four, scene);
 }

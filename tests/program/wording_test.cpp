@@ -26,7 +26,7 @@ TEST_F(Wording, OneOfAnythingIsInTheSingular) {
   const std::string options = scene(cube_scene) + " --threads 1 ";
   const std::string steps = options + "--set time.steps=1 " + out();
   const std::string all = run("info " + options).text + run("run " + steps).text +
-                          run("run " + steps + " --set body.cube.velocity_noise=1e9").text;
+                          run("run " + options + out() + " --set body.cube.velocity_noise=1e9").text;
   for (const char* text : {"1 element, 8 nodes, 1 body, end at", "cube: 1 element, 8 nodes",
                            "1 of 1 element has no volume", "1 tile of elements in 1 colour",
                            ": 1 element, 1 step to t = ", "0 of 1 element eroded", ", 1 thread)", "  1 element\n"}) {

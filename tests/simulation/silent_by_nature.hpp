@@ -53,8 +53,6 @@ inline constexpr auto all_silent_by_nature = std::to_array<SilentByNature>({
     {"erosion", "", not_reached},
     {"equation_of_state", "tension_limit", not_reached},
     {"equation_of_state", "full_compaction", not_reached},
-    {"equation_of_state", "elastic_compaction", not_reached},
-    {"equation_of_state", "tears", not_reached},
     {"drucker_prager", "tension_limit", not_reached},
     {"elastic material", "yield_stress", skipped},
     {"elastic material", "plastic_modulus", skipped},
