@@ -177,28 +177,7 @@ TEST_F(ChangesOnRanks, AndContactGoOnFromAStateOnAnyOthers) {
   for (const Scene& scene : {eroding(ContactMethod::pinball, Enforcement::lagrange, ContactGap::face),
                              eroding(ContactMethod::pinball, Enforcement::penalty, ContactGap::pinball), glued(),
                              with_rigid_bodies(Enforcement::lagrange), changing()}) {
-    Solver<double> alone(scene);
-    run(alone);
-    const std::uint64_t expected = state_hash(alone.model());
-    const auto hash = [](Solver<double>& solver) {
-      run(solver);
-      return state_hash(solver.model());
-    };
-    for (const std::int64_t at : {alone.steps() / 3, alone.steps() * 2 / 3}) {
-      const auto half = [&](Solver<double>& solver) {
-        while (solver.steps() < at) solver.step();
-        return saved(solver);
-      };
-      const StateBytes of_three = solved_on<double>(3, {Partition::By::random, 4}, scene, half);
-      Solver<double> first(scene), rest(scene);
-      const StateBytes of_one = half(first);
-      StateArchive archive = StateArchive::reading({of_three.data(), of_three.size()});
-      rest.persist(archive);
-      EXPECT_EQ(archive.left(), 0U);
-      EXPECT_EQ(hash(rest), expected);
-      EXPECT_EQ(solved_on<double>(2, {}, scene, hash, of_three), expected);
-      EXPECT_EQ(solved_on<double>(4, {Partition::By::random, 7}, scene, hash, of_one), expected);
-    }
+    expect_to_go_on_on_others(scene);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <solver/output/history.hpp>
 #include <tests/support/saved_state.hpp>
+#include <tests/support/solver_case.hpp>
 #include <tests/support/thread_ranks.hpp>
 
 /// What a run leaves, and that it is the same on ranks.
@@ -78,6 +79,30 @@ inline StateBytes state_of_three_ranks(const Scene& scene, Solver<double>& alone
     }
     return saved(solver);
   });
+}
+
+/// From three ranks to one process and two ranks, and from one process to four, at several times: a run goes on from a
+/// state to the bits of one without a break.
+inline void expect_to_go_on_on_others(const Scene& scene) {
+  Solver<double> alone(scene);
+  const auto hash = [](Solver<double>& solver) {
+    run(solver);
+    return state_hash(solver.model());
+  };
+  const std::uint64_t expected = hash(alone);
+  for (const std::int64_t at : {alone.steps() / 3, alone.steps() * 2 / 3}) {
+    const auto half = [&](Solver<double>& solver) {
+      while (solver.steps() < at) solver.step();
+      return saved(solver);
+    };
+    const StateBytes of_three = solved_on<double>(3, {Partition::By::random, 4}, scene, half);
+    Solver<double> first(scene), rest(scene);
+    const StateBytes of_one = half(first);
+    EXPECT_EQ(load(rest, of_three), 0U);
+    EXPECT_EQ(hash(rest), expected);
+    EXPECT_EQ(solved_on<double>(2, {}, scene, hash, of_three), expected);
+    EXPECT_EQ(solved_on<double>(4, {Partition::By::random, 7}, scene, hash, of_one), expected);
+  }
 }
 
 }  // namespace pinball::test

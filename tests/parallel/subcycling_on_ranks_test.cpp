@@ -181,26 +181,7 @@ TEST_F(SubcyclingOnRanksFrom, WhatBeginsAndEnds) {
 
 TEST_F(SubcyclingOnRanksFrom, AStateThatAnyOthersHaveSaved) {
   for (const Scene& scene : {pressed(1000), pressed(300, 0.25), struck(), driven(true), changing()}) {
-    Solver<double> alone(scene);
-    run(alone);
-    const std::uint64_t expected = state_hash(alone.model());
-    const auto hash = [](Solver<double>& solver) {
-      run(solver);
-      return state_hash(solver.model());
-    };
-    for (const std::int64_t at : {alone.steps() / 3, alone.steps() * 2 / 3}) {
-      const auto half = [&](Solver<double>& solver) {
-        while (solver.steps() < at) solver.step();
-        return saved(solver);
-      };
-      const StateBytes of_three = solved_on<double>(3, {Partition::By::random, 4}, scene, half);
-      Solver<double> first(scene), rest(scene);
-      const StateBytes of_one = half(first);
-      load(rest, of_three);
-      EXPECT_EQ(hash(rest), expected);
-      EXPECT_EQ(solved_on<double>(2, {}, scene, hash, of_three), expected);
-      EXPECT_EQ(solved_on<double>(4, {Partition::By::random, 7}, scene, hash, of_one), expected);
-    }
+    expect_to_go_on_on_others(scene);
   }
 }
 

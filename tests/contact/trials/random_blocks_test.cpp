@@ -10,17 +10,6 @@ namespace {
 
 using namespace test;
 
-Matrix random_rotation(std::mt19937_64& generator) {
-  std::normal_distribution<double> normal;
-  std::array<double, 4> q{};
-  for (double& part : q) part = normal(generator);
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  const auto [a, b, c, d] = std::array{q[0] / length, q[1] / length, q[2] / length, q[3] / length};
-  return {Point{1 - 2 * (c * c + d * d), 2 * (b * c - a * d), 2 * (b * d + a * c)},
-          Point{2 * (b * c + a * d), 1 - 2 * (b * b + d * d), 2 * (c * d - a * b)},
-          Point{2 * (b * d - a * c), 2 * (c * d + a * b), 1 - 2 * (b * b + c * c)}};
-}
-
 Scene random_impact(std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); };
@@ -33,7 +22,7 @@ Scene random_impact(std::uint64_t seed) {
       mesh.elements[k] = std::uniform_int_distribution<int>(1, 4)(generator);
       mesh.size[k] = mesh.elements[k] * h * in(0.6, 1.6);
     }
-    const Matrix rotation = random_rotation(generator);
+    const Matrix rotation = random_turn(generator);
     const double aside = side > 0 ? 0.5 : 0, reach = reach_down(mesh.size, rotation);
     Body& b = body[side > 0 ? 1 : 0];
     b.name = side > 0 ? "upper" : "lower";

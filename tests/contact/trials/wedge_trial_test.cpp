@@ -15,17 +15,6 @@ namespace {
 
 using namespace test;
 
-Matrix random_turn(std::mt19937_64& generator) {
-  std::normal_distribution<double> normal;
-  std::array<double, 4> q{};
-  for (double& part : q) part = normal(generator);
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  const auto [a, b, c, d] = std::array{q[0] / length, q[1] / length, q[2] / length, q[3] / length};
-  return {Point{1 - 2 * (c * c + d * d), 2 * (b * c - a * d), 2 * (b * d + a * c)},
-          Point{2 * (b * c + a * d), 1 - 2 * (b * b + d * d), 2 * (c * d - a * b)},
-          Point{2 * (b * d - a * c), 2 * (c * d + a * b), 1 - 2 * (b * b + c * c)}};
-}
-
 struct Throw {
   Scene scene;
   double speed = 0;
