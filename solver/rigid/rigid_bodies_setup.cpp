@@ -132,7 +132,7 @@ RigidBodies<S>::RigidBodies(Model<S>& model) : motions_(model.scene.rigid_motion
 }
 
 template <class S>
-RigidBodies<S>::~RigidBodies() = default;
+RigidBodies<S>::~RigidBodies() {}  // GCC 12 has defined a defaulted one when it comes to the instances below
 
 template <class S>
 void RigidBodies<S>::find_common_nodes(const Model<S>& model) {
