@@ -59,8 +59,8 @@ class RigidBodies {
   /// act: by the bodies on which some act in this step. Forces: with stiffnesses, of all contact by springs [-].
   double lightness_in_springs(const Model<S>& model) const;
   /// The fastest that a node of a body moves beside one of another, or beside what deforms, now or when given motions
-  /// have changed it by at most `jump`; 0 where that is no more than `least`. others: bodies that deform [length/time].
-  double relative_speed(const std::vector<BodySpeed>& others, double jump, double least) const;
+  /// have changed it by at most `leap`; 0 where that is no more than `least`. others: bodies that deform [length/time].
+  double relative_speed(const std::vector<BodySpeed>& others, double leap, double least) const;
   /// The same bodies for contact, from begin_step() on.
   const RigidSides& sides() const { return sides_; }
 

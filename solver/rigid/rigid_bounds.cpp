@@ -38,10 +38,10 @@ double RigidBodies<S>::lightness_in_springs(const Model<S>& model) const {
 
 /// Of many bodies nearly always all are known to be slower by what they have beside the first.
 template <class S>
-double RigidBodies<S>::relative_speed(const std::vector<BodySpeed>& others, double jump, double least) const {
+double RigidBodies<S>::relative_speed(const std::vector<BodySpeed>& others, double leap, double least) const {
   std::vector<BodySpeed> all;
   for (const Body& body : bodies_) {
-    all.push_back({body.motion.state().velocity, norm(body.motion.angular_velocity()) * body.radius + jump});
+    all.push_back({body.motion.state().velocity, norm(body.motion.angular_velocity()) * body.radius + leap});
   }
   const std::size_t own = all.size();
   all.insert(all.end(), others.begin(), others.end());

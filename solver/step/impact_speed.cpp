@@ -87,9 +87,9 @@ RigidImpacts<S>::RigidImpacts(const Model<S>& model, bool contact) {
 }
 
 template <class S>
-double RigidImpacts<S>::longest_step(const RigidBodies<S>& bodies, double jump, double most) const {
+double RigidImpacts<S>::longest_step(const RigidBodies<S>& bodies, double leap, double most) const {
   if (radius_ == 0) return std::numeric_limits<double>::infinity();
-  const double speed = bodies.relative_speed(others_, jump, radius_ / most);
+  const double speed = bodies.relative_speed(others_, leap, radius_ / most);
   return speed > 0 ? radius_ / speed : std::numeric_limits<double>::infinity();
 }
 

@@ -23,9 +23,9 @@ class RigidImpacts {
   /// Without contact, or without rigid bodies, nothing limits a step.
   RigidImpacts(const Model<S>& model, bool contact);
 
-  /// jump: largest change of velocity that is about to be given to nodes of rigid bodies [length/time]; most: no longer
+  /// leap: largest change of velocity that is about to be given to nodes of rigid bodies [length/time]; most: no longer
   /// step is asked for; infinite where such a one is short enough [time].
-  double longest_step(const RigidBodies<S>& bodies, double jump, double most) const;
+  double longest_step(const RigidBodies<S>& bodies, double leap, double most) const;
 
  private:
   double radius_ = 0;              ///< 0: nothing is limited [length]
