@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include <solver/scene_rules.hpp>
 
@@ -65,6 +67,20 @@ std::optional<Problem> inside(const char* table, std::optional<Problem> problem)
   return problem;
 }
 
+/// What gives a strength beside the law of that name; none: null.
+const char* other_strength(const Material& m, std::string_view own) {
+  const std::pair<const char*, bool> all[] = {{"yield_stress", m.yield_stress > 0},
+                                              {"johnson_cook", m.johnson_cook.has_value()},
+                                              {"johnson_holmquist", m.johnson_holmquist.has_value()},
+                                              {"drucker_prager", m.drucker_prager.has_value()},
+                                              {"crushable_foam", m.crushable_foam.has_value()},
+                                              {"fluid", m.fluid.has_value()}};
+  for (const auto& [name, is_there] : all) {
+    if (is_there && own != name) return name;
+  }
+  return other_hardening(m);
+}
+
 /// What stands beside such a law, and the part that is wrong in itself.
 std::optional<Problem> problem_of_johnson_cook(const Material& m) {
   const char* const other = other_hardening(m);
@@ -74,11 +90,7 @@ std::optional<Problem> problem_of_johnson_cook(const Material& m) {
 
 /// The same of a brittle one.
 std::optional<Problem> problem_of_johnson_holmquist(const Material& m) {
-  const char* const other = m.yield_stress > 0    ? "yield_stress"
-                            : m.johnson_cook      ? "johnson_cook"
-                            : m.fluid             ? "fluid"
-                            : m.equation_of_state ? "equation_of_state"
-                                                  : other_hardening(m);
+  const char* const other = m.equation_of_state ? "equation_of_state" : other_strength(m, "johnson_holmquist");
   if (other != nullptr) return Problem{other, "expected none beside johnson_holmquist"};
   if (m.strain_rate == StrainRate::plastic) {
     return Problem{"strain_rate", "expected \"total\" or \"deviatoric\" beside johnson_holmquist"};
@@ -88,42 +100,21 @@ std::optional<Problem> problem_of_johnson_holmquist(const Material& m) {
 
 /// The same of one whose strength is of the pressure alone.
 std::optional<Problem> problem_of_drucker_prager(const Material& m) {
-  const char* const other = m.yield_stress > 0    ? "yield_stress"
-                            : m.johnson_cook      ? "johnson_cook"
-                            : m.johnson_holmquist ? "johnson_holmquist"
-                            : m.fluid             ? "fluid"
-                                                  : other_hardening(m);
+  const char* const other = other_strength(m, "drucker_prager");
   if (other != nullptr) return Problem{other, "expected none beside drucker_prager"};
   return inside("drucker_prager", problem_of(*m.drucker_prager));
 }
 
 /// The same of a foam.
 std::optional<Problem> problem_of_crushable_foam(const Material& m) {
-  const char* const other = m.yield_stress > 0    ? "yield_stress"
-                            : m.johnson_cook      ? "johnson_cook"
-                            : m.johnson_holmquist ? "johnson_holmquist"
-                            : m.drucker_prager    ? "drucker_prager"
-                            : m.fluid             ? "fluid"
-                            : m.equation_of_state ? "equation_of_state"
-                                                  : other_hardening(m);
+  const char* const other = m.equation_of_state ? "equation_of_state" : other_strength(m, "crushable_foam");
   if (other != nullptr) return Problem{other, "expected none beside crushable_foam"};
   return inside("crushable_foam", problem_of(*m.crushable_foam));
 }
 
 /// What stands beside a fluid that only solids have, and what it needs.
 std::optional<Problem> problem_of_fluid(const Material& m) {
-  const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
-  const char* const other = m.yield_stress > 0      ? "yield_stress"
-                            : m.plastic_modulus > 0 ? "plastic_modulus"
-                            : ends                  ? "ultimate_stress"
-                            : m.erosion_strain > 0  ? "erosion_strain"
-                            : m.isotropic_share < 1 ? "isotropic_share"
-                            : m.power_hardening     ? "power_hardening"
-                            : m.rate_constant > 0   ? "rate_constant"
-                            : m.johnson_cook        ? "johnson_cook"
-                            : m.johnson_holmquist   ? "johnson_holmquist"
-                            : m.drucker_prager      ? "drucker_prager"
-                                                    : nullptr;
+  const char* const other = m.erosion_strain > 0 ? "erosion_strain" : other_strength(m, "fluid");
   if (other != nullptr) return Problem{other, "expected none beside fluid, which has no strength"};
   if (!m.equation_of_state) return Problem{"equation_of_state", "missing, expected the pressure of the fluid"};
   if (m.shear_modulus > 0) return Problem{"shear_modulus", "expected none beside fluid, which has no strength"};
