@@ -130,7 +130,7 @@ void Solver<S>::finish() {
 /// stage is timed (Phase). Node forces are zero between steps.
 template <class S>
 void Solver<S>::make_step(const Due& due) {
-  look_at_begun_contact();  //      tells of what overlaps then
+  look_at_begun_contact();  // tells of bodies that overlap when contact between them begins
   if (domain_) domain_->begin_step();
   const InternalForceResult<S> element = internal_forces(due);           // 3    f -= B^T sigma V, and the stable step
   const ContactWork ties = update_ties();                                //      which nodes are tied from now on
