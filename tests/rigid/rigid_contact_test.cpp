@@ -161,6 +161,42 @@ TEST(RigidContact, SlidesAsFrictionHasIt) {
   EXPECT_NEAR(after.centre[2], 0.05, 1e-6);
 }
 
+/// A block under its weight, pushed by a share of it, on a floor that is rigid or whose nodes are held.
+double speed_on_a_floor(double push, bool floor_is_rigid, const Point& axis) {
+  Scene scene = by_impulses(
+      {block("floor", {12, 4, 1}, 0.2, {-0.7, -0.41, -0.2}), block("block", {4, 4, 2}, 0.05, {0, 0, 0})}, 0.05);
+  scene.contact.friction = 0.3;
+  scene.contact.static_friction = 0.4;
+  scene.rigid_bodies = {rigid("block")};
+  const std::vector<Point> all{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  if (floor_is_rigid) {
+    scene.rigid_bodies.push_back(rigid("floor"));
+    scene.rigid_bodies[1].held = scene.rigid_bodies[1].held_rotations = all;
+  } else {
+    FixedConstraint& held = scene.fixed_constraints.emplace_back();
+    held.nodes.body = "floor";
+    held.directions = all;
+  }
+  scene.gravities = {{.acceleration = {10 * push * axis[0], 10 * push * axis[1], -10}, .bodies = {"block"}}};
+  Solver<double> solver(scene);
+  run(solver);
+  return dot(solver.rigid().results()[0].velocity, axis);
+}
+
+/// Which of its rows hold is for none of them to say: only all of them together have a share of the weight that the
+/// push, the height of its centre and the shape of the block give.
+TEST(RigidContact, HoldsAsLongAsAllRowsOfAPairDoTogether) {
+  for (const bool floor_is_rigid : {true, false}) {
+    for (const Point& axis : {Point{1, 0, 0}, Point{0, -1, 0}, Point{0.6, 0.8, 0}}) {
+      for (const double push : {0.35, 0.39}) EXPECT_NEAR(speed_on_a_floor(push, floor_is_rigid, axis), 0, 1e-6) << push;
+      for (const double push : {0.42, 0.5}) {
+        const double expected = 10 * (push - 0.3) * 0.05;
+        EXPECT_NEAR(speed_on_a_floor(push, floor_is_rigid, axis), expected, 0.02 * expected) << push;
+      }
+    }
+  }
+}
+
 /// A block whose nodes ring as it slides: what they get back where they part rubs as well.
 TEST(RigidContact, RubsByAllThatPresses) {
   const double friction = 0.3, gravity = 10, end = 0.1;

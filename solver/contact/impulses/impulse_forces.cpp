@@ -1,6 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "impulse_solver.hpp"
 #include "rigid_nodes_of_rows.hpp"
@@ -13,6 +17,13 @@ namespace {
 /// A row slides if its friction is at its bound, but for the first, and it does so faster than by the second of the
 /// velocity that its friction can stop.
 constexpr double of_bound = 1e-3, sliding = 1e-3;
+
+/// The same over `sliding`, of rows of two rigid bodies, which creep together by what the compliance of few of them
+/// leaves.
+constexpr double of_rigid_pair = 10;
+
+/// Part of the inverse mass of a node that rounding leaves where it is held in all directions.
+constexpr double still = 1e-9;
 
 /// Part of the impulse of the step before that one may have that opens.
 constexpr double remainder = 2e-3;
@@ -157,6 +168,50 @@ void ImpulseSolver<S>::rub_by_releases() {
   move_by_releases();
 }
 
+/// The two bodies that a row is of where they are rigid, -1: what does not move; nothing where anything moves by
+/// itself.
+template <class S>
+std::optional<std::pair<std::int32_t, std::int32_t>> ImpulseSolver<S>::rigid_pair(const SurfaceSource<S>& source,
+                                                                                  const RowView& row) const {
+  std::int32_t least = std::numeric_limits<std::int32_t>::max(), most = -1;
+  for (int e = 0; e < row.nodes; ++e) {
+    const ImpulseNode& node = nodes_[row.node[e]];
+    const double* const m = node.inverse_mass;
+    const bool is_still = m[0] + m[1] + m[2] <= still * source.inverse_mass[node_[row.node[e]]];
+    if (node.body < 0 && !is_still) return std::nullopt;
+    least = std::min(least, node.body);
+    most = std::max(most, node.body);
+  }
+  for (int e = 0; e < row.nodes; ++e) {
+    const std::int32_t body = nodes_[row.node[e]].body;
+    if (body != least && body != most) return std::nullopt;
+  }
+  return std::pair{least, most};
+}
+
+/// Most that friction gives in each row before it counts as slid, of rows of two rigid bodies that of all these: what
+/// one of them cannot hold the others do, and nothing else says how the pressure is shared among them.
+template <class S>
+void ImpulseSolver<S>::find_most_friction(const SurfaceSource<S>& source) {
+  most_friction_.assign(active_.size(), 0.0);
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    const std::int32_t i = system_.original(k);
+    if (!is_bound(i))
+      most_friction_[k] = frictions_[i].coefficient * dot(system_.row(k).direction, iterations_.impulse(k));
+  }
+  if (!rigid_) return;
+  std::map<std::pair<std::int32_t, std::int32_t>, double> of_pair;
+  std::vector<double*> sums(active_.size(), nullptr);
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    const std::int32_t i = system_.original(k);
+    if (is_bound(i)) continue;
+    if (const auto pair = rigid_pair(source, rows_[i])) *(sums[k] = &of_pair[*pair]) += most_friction_[k];
+  }
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    if (sums[k] != nullptr) most_friction_[k] = of_rigid_pair * *sums[k];
+  }
+}
+
 /// What a row takes out. Returns its force on body 1, with that of friction.
 template <class S>
 Vec3<double> ImpulseSolver<S>::finish_row(std::int64_t k, const StepLengths& step) {
@@ -201,7 +256,7 @@ ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t k, const Vec3<double>&
     slid = slid + way - dot(a, way) * a;
   }
   pair.memory.slides = std::sqrt(dot(q, q)) >= (1 - of_bound) * most &&
-                       std::sqrt(dot(slid, slid)) > sliding * most * friction.inverse_mass;
+                       std::sqrt(dot(slid, slid)) > sliding * most_friction_[k] * friction.inverse_mass;
   const double impulse[3] = {q.x, q.y, q.z}, rate[3] = {after.x, after.y, after.z};
   ExternalWork lost;
   for (int c = 0; c < 3; ++c) {
@@ -215,6 +270,7 @@ ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t k, const Vec3<double>&
 template <class S>
 void ImpulseSolver<S>::give_forces(const SurfaceSource<S>& source, const StepLengths& step) {
   row_vector_.renew(4 * active_.size());
+  if (has_friction()) find_most_friction(source);
   for_all("forces of rows", active_.size(),
           [&](std::int64_t k) { put_vector(record(row_vector_.data(), k), finish_row(k, step)); });
   for_all("forces of rows on nodes", nodes_.size(), [&](std::int64_t place) {
@@ -285,6 +341,7 @@ void ImpulseSolver<S>::name_memory() {
   template void ImpulseSolver<S>::release(double);                                          \
   template void ImpulseSolver<S>::rub_by_releases();                                        \
   template bool ImpulseSolver<S>::has_free_node(const RowView&) const;                      \
+  template void ImpulseSolver<S>::find_most_friction(const SurfaceSource<S>&);              \
   template void ImpulseSolver<S>::give_forces(const SurfaceSource<S>&, const StepLengths&); \
   template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                   \
   template void ImpulseSolver<S>::add_node_forces(std::span<Point>) const;                  \

@@ -383,9 +383,9 @@ template <class S>
 std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return rows_.bytes() + system_.bytes() + iterations_.bytes() + velocity_.bytes() + row_vector_.bytes() +
-         of(frictions_) + of(bound_friction_) + of(bounded_) + of(slid_) + of(pairs_) + of(active_) + of(nodes_) +
-         of(node_) + of(last_entry_) + of(memory_) + of(release_share_) + arm_.bytes() + way_.bytes() +
-         of(rigid_release_share_) + names_.bytes() + of(node_place_) + held_.bytes();
+         of(frictions_) + of(bound_friction_) + of(bounded_) + of(slid_) + of(most_friction_) + of(pairs_) +
+         of(active_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) + of(release_share_) + arm_.bytes() +
+         way_.bytes() + of(rigid_release_share_) + names_.bytes() + of(node_place_) + held_.bytes();
 }
 
 template class ImpulseSolver<double>;

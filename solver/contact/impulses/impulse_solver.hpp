@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -192,6 +193,9 @@ class ImpulseSolver {
   double released_by(std::int64_t k, double velocity_step) const;
   void release(double velocity_step);
   void rub_by_releases();
+  std::optional<std::pair<std::int32_t, std::int32_t>> rigid_pair(const SurfaceSource<S>& source,
+                                                                  const RowView& row) const;
+  void find_most_friction(const SurfaceSource<S>& source);
   Vec3<double> finish_row(std::int64_t k, const StepLengths& step);
   ExternalWork keep_friction(std::int64_t k, const Vec3<double>& after, const StepLengths& step);
   void give_forces(const SurfaceSource<S>& source, const StepLengths& step);
@@ -230,6 +234,7 @@ class ImpulseSolver {
   ContactRows rows_;                    ///< of places in node_
   std::vector<FrictionRow> frictions_;  ///< one per row, only where there is friction
   std::vector<Pair> pairs_;             ///< one per row
+  std::vector<double> most_friction_;   ///< one per active row with friction, see there [mass length/time]
   std::vector<double> slid_;            ///< how fast in the step just made, one per row with friction [length/time]
   std::size_t contacts_ = 0;            ///< rows before those of bounds
   std::vector<double> bound_friction_;  ///< mu, one per row of a bound [-]
