@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <solver/model/model.hpp>
@@ -44,6 +45,59 @@ TEST(LookAtSpeeds, OfTwoBodiesAreThoseOfTheirImpact) {
   scene.bodies[1].velocity = {};
   EXPECT_DOUBLE_EQ(look(scene).closing_speed, 6);
   EXPECT_DOUBLE_EQ(look(scene).impact_speed, 6);
+}
+
+/// Turned about x, as `axis` turns bodies.
+class Turned {
+ public:
+  explicit Turned(double angle) : cosine_(std::cos(angle)), sine_(std::sin(angle)) {}
+  Point of(const Point& x) const { return {x[0], cosine_ * x[1] - sine_ * x[2], sine_ * x[1] + cosine_ * x[2]}; }
+  std::array<Point, 3> of_rows(const std::array<Point, 3>& rows) const {  // R A R^T
+    std::array<Point, 3> right;
+    for (std::size_t i = 0; i < 3; ++i) right[i] = of(rows[i]);
+    std::array<Point, 3> all;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point column = of({right[0][k], right[1][k], right[2][k]});
+      for (std::size_t i = 0; i < 3; ++i) all[i][k] = column[i];
+    }
+    return all;
+  }
+
+ private:
+  double cosine_, sine_;
+};
+
+Scene turned_impact(double angle, bool stretched, bool pushed) {
+  const Turned turned(angle);
+  Scene scene = scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0}),
+                          block("b", {3, 3, 3}, 0.1, turned.of({0.05, 0.03, 0.32}), turned.of({0, -60, -100}))},
+                         1e-3);
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  for (Body& body : scene.bodies) body.axis = turned.of({0, 0, 1});
+  if (stretched) scene.bodies[1].velocity_gradient = turned.of_rows({{{0, 300, 0}, {100, 200, 0}, {0, 0, 250}}});
+  if (pushed) {
+    PrescribedVelocity& top = scene.prescribed_velocities.emplace_back();
+    top.nodes.body = "b";
+    top.nodes.plane = Plane{turned.of({0.05, 0.03, 0.62}), turned.of({0, 0, 1})};
+    top.direction = turned.of({0, 0, 1});
+    top.velocity = turned.of({0, 0, -200});
+  }
+  return scene;
+}
+
+TEST(LookAtSpeeds, OfTwoBodiesTurnWithTheScene) {
+  for (const bool stretched : {false, true}) {
+    for (const bool pushed : {false, true}) {
+      const double expected = look(turned_impact(0, stretched, pushed)).closing_speed;
+      EXPECT_GT(expected, pushed ? 208.8 : 116.6);
+      EXPECT_LT(expected, (pushed ? 208.9 : 116.7) + (stretched ? 150 : 0));
+      for (const double angle : {0.3, 0.5, 0.25 * M_PI, 1.2}) {
+        EXPECT_NEAR(look(turned_impact(angle, stretched, pushed)).closing_speed, expected, 1e-9 * expected)
+            << angle << stretched << pushed;
+      }
+    }
+  }
 }
 
 /// A block that lies askew above a wall: its box reaches further than its nodes.

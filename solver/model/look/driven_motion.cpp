@@ -202,6 +202,11 @@ class DrivenMotions {
       for (std::size_t k = 0; k < 3; ++k) motion.along[k] = !direction || k == axis;
       return;
     }
+    if (!adds) {
+      PartMotion& part = own.parts.emplace_back();
+      part.direction = direction;
+      for (const double way : course.way) part.way.push_back(times(way, vector));
+    }
     for (std::size_t j = 0; j < times_.size(); ++j) {
       if (adds) {
         own.pushed[j] = sum(own.pushed[j], times(course.way[j], vector));

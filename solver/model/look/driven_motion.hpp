@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <solver/model/model.hpp>
@@ -17,10 +18,17 @@ struct WholeMotion {
   MotionCourse course;
 };
 
+/// A motion that is prescribed to some nodes of a mover.
+struct PartMotion {
+  std::vector<Point> way;          ///< at each time [length]
+  std::optional<Point> direction;  ///< along which alone it acts, a unit vector
+};
+
 /// What acts on a mover from outside in the course of the run.
 struct DrivenMotion {
   std::vector<WholeMotion> whole;  ///< of several at one time the last one counts
   std::vector<Extent> moved;       ///< displacements that other motions give, at each time; empty boxes: none
+  std::vector<PartMotion> parts;   ///< the same motions
   std::vector<double> carried;     ///< how far those may bring it that do not act all the time [length]
   std::vector<Point> pushed;       ///< what gravity, loads and pressures add [length]
   std::vector<Point> push_rate;    ///< its rate [length/time]

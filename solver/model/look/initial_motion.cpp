@@ -147,6 +147,7 @@ std::vector<InitialMotion> initial_motions(const Scene& scene, const ModelMesh& 
     motions[g].centre = mean[g].place;
     motions[g].turning = norm(spin[g]);
   }
+    motions[g].mean = mean[g].velocity;
   for (std::size_t n = 0; n < velocity.size(); ++n) {
     InitialMotion& own = motions[group_of(n)];
     const Point r = minus(mesh.nodes[n], own.centre);
@@ -156,6 +157,7 @@ std::vector<InitialMotion> initial_motions(const Scene& scene, const ModelMesh& 
     own.velocity.take(Point{rest[0] + noise, rest[1] + noise, rest[2] + noise});
     own.radius = std::max(own.radius, norm(r));
     own.speed = std::max(own.speed, norm(velocity[n]) + noise);
+    own.spread = std::max(own.spread, norm(minus(rest, own.mean)) + noise);
   }
   return motions;
 }

@@ -11,6 +11,8 @@ namespace pinball {
 /// How places of a mover begin to move: with it, as it turns, and on their own.
 struct InitialMotion {
   Extent velocity;     ///< of its places, without its turning [length/time]
+  Point mean{};        ///< of the velocities of its nodes [length/time]
+  double spread = 0;   ///< how far others are from that, without its turning [length/time]
   Point centre{};      ///< mean of its nodes [length]
   double radius = 0;   ///< of the sphere about it that holds all of them [length]
   double turning = 0;  ///< angular velocity [1/time]

@@ -32,6 +32,26 @@ bool is_at_rest(const Mover& mover, Moves moves) {
   return std::ranges::all_of(mover.*moves, [](const Extent& moved) { return moved.reach() == 0; });
 }
 
+bool is_point(const Extent& moved) { return moved.low == moved.high; }
+
+/// Largest way of a place of one as a place of the other sees it, from the j-th time before to that [length].
+double relative_way(const Mover& a, const Mover& b, std::size_t j) {
+  const auto has_one_way = [j](const Mover& mover) { return is_point(mover.moved[j - 1]) && is_point(mover.moved[j]); };
+  if (has_one_way(a) && has_one_way(b)) {
+    const Extent before = a.moved[j - 1] - b.moved[j - 1], now = a.moved[j] - b.moved[j];
+    return norm(minus(now.low, before.low));
+  }
+  const Drift &before_a = a.drift[j - 1], &now_a = a.drift[j], &before_b = b.drift[j - 1], &now_b = b.drift[j];
+  double largest = 0;
+  for (std::size_t i = 0; i < now_a.ways.size(); ++i) {
+    for (std::size_t k = 0; k < now_b.ways.size(); ++k) {
+      const Point one = minus(now_a.ways[i], before_a.ways[i]), other = minus(now_b.ways[k], before_b.ways[k]);
+      largest = std::max(largest, norm(minus(one, other)));
+    }
+  }
+  return largest + std::abs(now_a.spread - before_a.spread) + std::abs(now_b.spread - before_b.spread);
+}
+
 /// near: distance within which they meet, over the size of the smaller one; negative: they go into each other [-].
 std::optional<Meeting> meeting_of(const Mover& a, const Mover& b, const std::vector<double>& times, Moves moves,
                                   double near) {
@@ -41,10 +61,9 @@ std::optional<Meeting> meeting_of(const Mover& a, const Mover& b, const std::vec
   Extent before = (a.*moves)[0] - (b.*moves)[0];
   for (std::size_t j = 1; j < times.size(); ++j) {
     const Extent now = (a.*moves)[j] - (b.*moves)[j], way = hull(before, now);
-    const Extent change{minus(now.low, before.low), minus(now.high, before.high)};
     const double time = times[j] - times[j - 1],
                  even = std::abs(time - times[1]) < 1e-6 * times[1] ? 1 : times[1] / time;
-    speed = std::max({speed, even * norm(change.low), even * norm(change.high)});
+    speed = std::max(speed, even * relative_way(a, b, j));
     before = now;
     const MoverCell* of_b = nullptr;
     if (!overlap(a.box + way, b.box, margin)) continue;

@@ -210,14 +210,42 @@ std::vector<Extent> ways(const InitialMotion& initial, const DrivenMotion& drive
   return places;
 }
 
+Point middle_of(const Extent& box) {
+  Point middle;
+  for (std::size_t k = 0; k < 3; ++k) middle[k] = 0.5 * (box.low[k] + box.high[k]);
+  return middle;
+}
+
+/// As `moved`: with its mean velocity, and as some of its nodes are moved beside that.
+std::vector<Drift> drift_of(const InitialMotion& initial, const DrivenMotion& driven,
+                            const std::vector<double>& times) {
+  InitialMotion mean = initial;
+  mean.velocity = {initial.mean, initial.mean};
+  const std::vector<Extent> places = ways(mean, driven, driven.stopped, times);
+  std::vector<Drift> all(times.size());
+  for (std::size_t j = 0; j < times.size(); ++j) {
+    const Point way = middle_of(places[j]);
+    all[j] = {{way}, initial.spread * times[j] + 0.5 * norm(minus(places[j].high, places[j].low))};
+    for (const PartMotion& part : driven.parts) {
+      Point of_part = part.way[j];
+      const double along = part.direction ? dot(way, *part.direction) : 0.0;
+      for (std::size_t k = 0; k < 3 && part.direction; ++k) of_part[k] += way[k] - along * (*part.direction)[k];
+      all[j].ways.push_back(of_part);
+    }
+  }
+  return all;
+}
+
 void move(Mover& mover, const InitialMotion& initial, const DrivenMotion& driven, const std::vector<double>& times) {
   mover.held = driven.held;
   mover.speed = driven.held ? 0.0 : driven.wholly ? driven.speed : std::max(initial.speed, driven.speed);
   if (driven.held) {
     mover.moved.assign(times.size(), Extent{{}, {}});
     mover.strayed = mover.moved;
+    mover.drift.assign(times.size(), Drift{{Point{}}, 0});
     return;
   }
+  mover.drift = drift_of(initial, driven, times);
   const bool stopped = driven.stopped[0] || driven.stopped[1] || driven.stopped[2];
   // What is held or moved in part deforms, and what deforms spreads to all sides.
   const bool deforms = !driven.wholly && (driven.guided || driven.in_part || stopped);

@@ -16,6 +16,13 @@ struct MoverCell {
   std::int32_t body = 0;
 };
 
+/// How far a mover is gone, as vectors and a length, which turn with the scene as no box does: no place of it is
+/// further from all of these ways than the spread, but for what turns it.
+struct Drift {
+  std::vector<Point> ways;  ///< [length]
+  double spread = 0;        ///< [length]
+};
+
 /// Bodies that go together, because they have nodes in common or are tied all the time, and where they may be in the
 /// course of a run.
 struct Mover {
@@ -24,6 +31,7 @@ struct Mover {
   Extent box;                    ///< all of the cells
   std::vector<Extent> moved;     ///< displacements that its places may have, at each of the times [length]
   std::vector<Extent> strayed;   ///< the same, with what a deformation or a rebound may add [length]
+  std::vector<Drift> drift;      ///< at each of the times
   double speed = 0;              ///< largest, but for what a load or gravity gives it [length/time]
   std::optional<Extent> sphere;  ///< in which it is if loads or pressures turn it: whether they do depends on much
   bool turns = false;            ///< as given, or by loads or pressures
