@@ -33,7 +33,8 @@ Point mean_place(const ModelMesh& mesh, const std::vector<std::int32_t>& nodes) 
   return mean;
 }
 
-/// Those of the bodies of each, and those that are attached to it.
+}  // namespace
+
 std::vector<std::vector<std::int32_t>> nodes_of_rigid_bodies(const Scene& scene, const ModelMesh& mesh) {
   std::vector<std::vector<std::int32_t>> nodes(scene.rigid_bodies.size());
   const std::vector<std::int32_t> rigid = rigid_body_of_bodies(scene);
@@ -48,7 +49,6 @@ std::vector<std::vector<std::int32_t>> nodes_of_rigid_bodies(const Scene& scene,
   return nodes;
 }
 
-/// Of each node, without noise [length/time].
 std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh) {
   const std::vector<Point> centre = centres_of(mesh, scene.bodies.size());
   std::vector<Point> velocity(mesh.nodes.size());
@@ -79,6 +79,8 @@ std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh)
   }
   return velocity;
 }
+
+namespace {
 
 /// The angular velocity that explains most of the angular momentum of points of equal mass.
 class Turning {
@@ -145,9 +147,9 @@ std::vector<InitialMotion> initial_motions(const Scene& scene, const ModelMesh& 
   for (std::size_t g = 0; g < groups; ++g) {
     spin[g] = turning[g].velocity();
     motions[g].centre = mean[g].place;
+    motions[g].mean = mean[g].velocity;
     motions[g].turning = norm(spin[g]);
   }
-    motions[g].mean = mean[g].velocity;
   for (std::size_t n = 0; n < velocity.size(); ++n) {
     InitialMotion& own = motions[group_of(n)];
     const Point r = minus(mesh.nodes[n], own.centre);
@@ -155,9 +157,9 @@ std::vector<InitialMotion> initial_motions(const Scene& scene, const ModelMesh& 
     const Point rest = minus(velocity[n], cross(spin[group_of(n)], r));
     own.velocity.take(Point{rest[0] - noise, rest[1] - noise, rest[2] - noise});
     own.velocity.take(Point{rest[0] + noise, rest[1] + noise, rest[2] + noise});
+    own.spread = std::max(own.spread, norm(minus(rest, own.mean)) + noise);
     own.radius = std::max(own.radius, norm(r));
     own.speed = std::max(own.speed, norm(velocity[n]) + noise);
-    own.spread = std::max(own.spread, norm(minus(rest, own.mean)) + noise);
   }
   return motions;
 }

@@ -19,6 +19,11 @@ struct InitialMotion {
   double speed = 0;    ///< largest of a place [length/time]
 };
 
+/// Nodes of each rigid body: those of its bodies, and those that are attached to it.
+std::vector<std::vector<std::int32_t>> nodes_of_rigid_bodies(const Scene& scene, const ModelMesh& mesh);
+/// Of each node, without noise [length/time].
+std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh);
+
 /// Of each of the groups that the bodies are in. group: per body. Bodies turn about the means of their nodes.
 std::vector<InitialMotion> initial_motions(const Scene& scene, const ModelMesh& mesh,
                                            const std::vector<std::int32_t>& group, std::size_t groups);

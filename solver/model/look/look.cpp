@@ -21,6 +21,7 @@
 #include "never_begun.hpp"
 #include "opposed_motions.hpp"
 #include "passed_walls.hpp"
+#include "stopped_rigid.hpp"
 #include "thin_bodies.hpp"
 
 namespace pinball {
@@ -84,6 +85,7 @@ class LookAt {
     check_whether_anything_meets();
     for (std::string& sentence : opposed_motions(scene_, mesh_)) report(std::move(sentence));
     for (std::string& sentence : passed_walls(scene_, mesh_)) report(std::move(sentence));
+    for (std::string& sentence : stopped_rigid_bodies(scene_, mesh_)) report(std::move(sentence));
     for (std::string& sentence : displacement_jumps(scene_)) report(std::move(sentence));
     if (!is_deck(scene_)) {  // whose cards set keys for others, and are reported themselves
       for (std::string& sentence : idle_keys(scene_)) report(std::move(sentence));
