@@ -110,7 +110,6 @@ std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
 
 template <class S>
 HistoryRow history_row(const Solver<S>& solver) {
-  const Model<S>& model = solver.layout();
   HistoryRow row;
   row.step = solver.steps();
   row.time = solver.force_time();
@@ -148,7 +147,7 @@ HistoryRow history_row(const Solver<S>& solver) {
       row.more.insert(row.more.end(), force.begin(), force.end());
     }
   }
-  for (const ForceResult& named : solver.boundary().forces(model)) {
+  for (const ForceResult& named : solver.named_forces()) {
     row.more.insert(row.more.end(), named.force.begin(), named.force.end());
   }
   for (const BodyShare& body : solver.body_shares()) {

@@ -74,7 +74,8 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
       contact_(model_, *space_),
       rigid_impacts_(model_, contact() != nullptr),
       clock_(model_.scene.time, model_.scene.damping.mass),
-      guards_(model_, clock_) {
+      guards_(model_, clock_),
+      rigid_at_planes_(model_) {
   if (contact() != nullptr) {
     clock_.limit_by_impact_speed(longest_contact_step(model_));
     initial_overlaps_ = find_initial_overlaps(model_.scene, model_.mesh);

@@ -21,6 +21,7 @@
 #include <solver/results.hpp>
 #include <solver/results/probes.hpp>
 #include <solver/results/timers.hpp>
+#include <solver/rigid/rigid_at_planes.hpp>
 #include <solver/rigid/rigid_bodies.hpp>
 
 #include "begun_overlaps.hpp"
@@ -134,6 +135,8 @@ class Solver {
   const std::vector<InitialOverlap>& initial_overlaps() const { return initial_overlaps_; }
   /// Of bodies whose contact began later, when it did.
   const std::vector<InitialOverlap>& begun_overlaps() const { return begun_overlaps_.found(); }
+  /// Forces by name of what holds and moves nodes, and of planes of symmetry that hold rigid bodies [force].
+  std::vector<ForceResult> named_forces() const;
   /// After finish(), where nothing has eroded: erosion exposes what lies deep inside others.
   const InitialOverlap& overlap_at_end() const { return overlap_at_end_; }
   const std::optional<UnseenBalls>& unseen_balls() const { return unseen_balls_; }
@@ -231,6 +234,7 @@ class Solver {
   InitialOverlap overlap_at_end_;
   std::vector<InitialOverlap> initial_overlaps_;  ///< only looked for in a scene with contact
   BegunOverlaps begun_overlaps_;
+  RigidAtPlanes rigid_at_planes_;
   std::optional<UnseenBalls> unseen_balls_;  ///< only looked for where the gap is that of balls
   std::vector<std::string> near_nodes_;
   std::string unstable_hourglass_, many_steps_;

@@ -114,6 +114,13 @@ Array<S>& Solver<S>::host_forces() {
   return boundary_.host_forces(model_);
 }
 
+template <class S>
+std::vector<ForceResult> Solver<S>::named_forces() const {
+  std::vector<ForceResult> forces = boundary_.forces(model_);
+  rigid_at_planes_.add_forces(rigid_.results(), forces);
+  return forces;
+}
+
 /// Pairs begin to act in the step whose forces belong to the present time.
 template <class S>
 void Solver<S>::look_at_begun_contact() {
@@ -199,6 +206,8 @@ template std::vector<double> Solver<double>::probe_values() const;
 template std::vector<double> Solver<float>::probe_values() const;
 template std::vector<ProbeResult> Solver<double>::probe_results() const;
 template std::vector<ProbeResult> Solver<float>::probe_results() const;
+template std::vector<ForceResult> Solver<double>::named_forces() const;
+template std::vector<ForceResult> Solver<float>::named_forces() const;
 template void Solver<double>::look_at_begun_contact();
 template void Solver<float>::look_at_begun_contact();
 template Array<double>& Solver<double>::host_forces();

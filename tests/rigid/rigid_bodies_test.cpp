@@ -296,5 +296,38 @@ TEST(RigidBodies, OnAPlaneOfSymmetryMoveAlongIt) {
   EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-11);
 }
 
+/// Two planes at 60 degrees, and one that is held by itself as well.
+TEST(RigidBodies, ArePartOfTheForceOfAPlaneThatHoldsThem) {
+  Scene scene = top(0.01);
+  scene.bodies[0].position = {0, 0, 0};
+  scene.bodies[0].angular_velocity = {};
+  scene.bodies[0].velocity = {};
+  const Point first{1, 0, 0}, second{0.5, std::sqrt(0.75), 0};
+  scene.constraints = {{{0, 0, 0}, first, "", "", 0, "", "first"}, {{0, 0, 0}, second, "", "", 0, "", "second"}};
+  NodalLoad load;
+  load.nodes.nearest = {0, 0, 0};
+  load.force = {500, 20, 70};
+  scene.loads = {load};
+  const auto forces = [&] {
+    Solver<double> solver(scene);
+    for (int step = 0; step < 3; ++step) solver.step();
+    return solver.named_forces();
+  };
+  const double by_second = -20 / second[1], by_first = -500 - 0.5 * by_second;
+  const std::vector<ForceResult> both = forces();
+  ASSERT_EQ(both.size(), 2U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(both[0].force[k], by_first * first[k], 1e-9);
+    EXPECT_NEAR(both[1].force[k], by_second * second[k], 1e-9);
+  }
+  scene.rigid_bodies[0].held = {{0, 0, 1}};
+  EXPECT_EQ(forces()[0].force[2], 0);
+  scene.rigid_bodies[0].held = {{0, 1, 0}};
+  scene.constraints.pop_back();
+  const std::vector<ForceResult> beside = forces();
+  EXPECT_NEAR(beside[0].force[0], -500, 1e-9);
+  EXPECT_NEAR(beside[0].force[1], 0, 1e-9) << "of the body itself";
+}
+
 }  // namespace
 }  // namespace pinball::rigid_bodies_test
