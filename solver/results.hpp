@@ -106,6 +106,7 @@ struct OverlapResult {
   double depth = 0.0;       ///< of it, from the surface of the other body [length]
   double share = 0.0;       ///< the same over the size of a face there [-]
   double time = 0.0;        ///< when they do [time]
+  bool rigid_wall = false;  ///< `second` is one, and the nodes lie behind it
 };
 
 /// What one quantity of a probe is at the end.

@@ -94,6 +94,11 @@ class BoundaryConditions {
   /// Whether constraints, motions or walls begin or end by `to` that did not at `from`; then leap_of_begun() has to see
   /// the model.
   bool changes(double from, double to) const { return past(to) != changed_ || walls_.begin(from, to); }
+  /// Whether rigid walls begin to act after `from` and by `to`; and what lies behind these then.
+  bool walls_begin(double from, double to) const { return walls_.begin(from, to); }
+  std::vector<InitialOverlap> passed_by_begun_walls(const Model<S>& model, double from, double to) const {
+    return walls_.passed_by_begun(model, from, to);
+  }
   double leap_of_begun(const Model<S>& model, double from, double time, double to, double dt) const {
     const double of_walls = walls_.leap_of_begun(model, from, time, to, dt);
     if (past(to) == changed_) return of_walls;

@@ -7,6 +7,7 @@
 
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/surface/node_bound.hpp>
+#include <solver/model/initial_overlap.hpp>
 #include <solver/model/model.hpp>
 #include <solver/results.hpp>
 
@@ -66,6 +67,10 @@ class RigidWalls {
     return std::ranges::any_of(walls_, [=](const Wall& wall) { return begins(wall, from, to); });
   }
   double leap_of_begun(const Model<S>& model, double from, double time, double to, double dt) const;
+  /// Nodes that walls let alone because they lie behind them when these begin to act, after `from` and by `to`: an
+  /// entry for each wall, `second`, and body, `first`. Below a rectangle only bodies count that lie on both sides of
+  /// it.
+  std::vector<InitialOverlap> passed_by_begun(const Model<S>& model, double from, double to) const;
 
   void persist(StateArchive& archive) {
     for (WallResult& wall : results_)

@@ -37,6 +37,27 @@ std::vector<std::int32_t> nodes_behind(const ModelMesh& mesh, const RigidWall& w
   return nodes.all() && nodes.without.empty() ? matching_nodes(mesh, nodes) : select_nodes(mesh, nodes);
 }
 
+/// Whether the foot of a node on the plane is on what there is of it.
+template <class S>
+bool is_over(const WallPlane<S>& plane, const S* x) {
+  WallPlane<S> deep = plane;
+  deep.past = std::numeric_limits<S>::infinity();
+  return wall_takes(deep, x, S(0));
+}
+
+/// Of the elements at a node of the scene, from there to their other corners at the start [length].
+template <class S>
+double shortest_edge_at(const Model<S>& model, std::int32_t node) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& corners : model.mesh.hexahedra) {
+    if (std::ranges::find(corners, node) == corners.end()) continue;
+    for (const std::int32_t other : corners) {
+      if (other != node) shortest = std::min(shortest, norm(minus(model.mesh.nodes[other], model.mesh.nodes[node])));
+    }
+  }
+  return shortest;
+}
+
 }  // namespace
 
 template <class S>
@@ -167,10 +188,49 @@ double RigidWalls<S>::leap_of_begun(const Model<S>& model, double from, double t
   return fastest;
 }
 
+template <class S>
+std::vector<InitialOverlap> RigidWalls<S>::passed_by_begun(const Model<S>& model, double from, double to) const {
+  std::vector<InitialOverlap> found;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const Wall& wall = walls_[w];
+    const RigidWall& given = model.scene.rigid_walls[w];
+    if (!begins(wall, from, to) || !wall.when.contains(to)) continue;
+    std::vector<InitialOverlap> of_body(model.mesh.body_names.size());
+    std::vector<bool> is_above(of_body.size(), !given.edge);
+    for (const std::int32_t n : nodes_behind(model.mesh, given)) {
+      const S* const x = model.nodes.position_of(model.node_of_scene_node[n]);
+      const double height = wall_height(wall.plane, x) - results_[w].displacement;
+      const std::size_t body = model.mesh.body_of_node[n];
+      InitialOverlap& of = of_body[body];
+      if (wall_takes(wall.plane, x, static_cast<S>(results_[w].displacement))) {
+        is_above[body] = true;
+      } else if (height <= -wall.plane.past && is_over(wall.plane, x)) {
+        ++of.nodes;
+        if (-height > of.depth) {
+          of.depth = -height;
+          of.node = n;
+        }
+      }
+    }
+    for (std::size_t body = 0; body < of_body.size(); ++body) {
+      InitialOverlap& of = of_body[body];
+      if (of.nodes == 0 || !is_above[body]) continue;
+      of.first = model.mesh.body_names[body];
+      of.second = given.name.empty() ? given.where : given.name;
+      of.share = of.depth / shortest_edge_at(model, of.node);
+      of.time = to;
+      found.push_back(of);
+    }
+  }
+  return found;
+}
+
 template RigidWalls<double>::RigidWalls(const Model<double>&, const BoundaryKernels<double>&);
 template RigidWalls<float>::RigidWalls(const Model<float>&, const BoundaryKernels<float>&);
 template double RigidWalls<double>::leap_of_begun(const Model<double>&, double, double, double, double) const;
 template double RigidWalls<float>::leap_of_begun(const Model<float>&, double, double, double, double) const;
+template std::vector<InitialOverlap> RigidWalls<double>::passed_by_begun(const Model<double>&, double, double) const;
+template std::vector<InitialOverlap> RigidWalls<float>::passed_by_begun(const Model<float>&, double, double) const;
 template void RigidWalls<double>::take_held_directions(const Model<double>&);
 template void RigidWalls<float>::take_held_directions(const Model<float>&);
 

@@ -94,8 +94,9 @@ Json pair_json(const PairResult& pair) {
 }
 
 Json overlap_json(const OverlapResult& overlap) {
-  return {{"first", overlap.first}, {"second", overlap.second}, {"points", overlap.points}, {"nodes", overlap.nodes},
-          {"place", overlap.place}, {"depth", overlap.depth},   {"share", overlap.share},   {"time", overlap.time}};
+  return {{"first", overlap.first}, {"second", overlap.second}, {"points", overlap.points},
+          {"nodes", overlap.nodes}, {"place", overlap.place},   {"depth", overlap.depth},
+          {"share", overlap.share}, {"time", overlap.time},     {"rigid_wall", overlap.rigid_wall}};
 }
 
 Json tied_json(const TiedResult& tied) {

@@ -60,7 +60,8 @@ std::string overlap_advice(const RunSummary& summary, const OverlapResult& overl
 void add_overlaps(const RunSummary& summary, bool late, std::vector<std::string>& found) {
   constexpr std::size_t most_reported = 5;
   std::vector<OverlapResult> overlaps = summary.overlaps;
-  std::erase_if(overlaps, [late](const OverlapResult& overlap) { return (overlap.time > 0) != late; });
+  std::erase_if(overlaps,
+                [late](const OverlapResult& overlap) { return overlap.rigid_wall || (overlap.time > 0) != late; });
   std::stable_sort(overlaps.begin(), overlaps.end(),
                    [](const OverlapResult& a, const OverlapResult& b) { return a.share > b.share; });
   for (std::size_t i = 0; i < std::min(overlaps.size(), most_reported); ++i) {
@@ -71,6 +72,18 @@ void add_overlaps(const RunSummary& summary, bool late, std::vector<std::string>
         "{} {}, less deep: contact.overlaps of summary.json has them all",
         counted(overlaps.size() - most_reported, "more pair of bodies overlaps", "more pairs of bodies overlap"),
         late ? "when contact begins" : "at the start"));
+  }
+}
+
+/// Nodes behind rigid walls that begin later.
+void add_passed_walls(const RunSummary& summary, std::vector<std::string>& found) {
+  for (const OverlapResult& overlap : summary.overlaps) {
+    if (!overlap.rigid_wall) continue;
+    found.push_back(fmt::format(
+        "rigid wall {} begins, at time {:.6g}, when {} of body {} {} behind it, the deepest, {}, by {:.4g} ({} of an "
+        "element): it lets them go on; begin it before they pass, or keep them on its free side till then",
+        overlap.second, overlap.time, counted(overlap.nodes, "node"), overlap.first,
+        overlap.nodes == 1 ? "lies" : "lie", overlap.place, overlap.depth, percent(overlap.share)));
   }
 }
 
@@ -128,6 +141,7 @@ std::vector<std::string> warnings(const RunSummary& summary) {
                     summary.end_time, percent(sound::depth_at_end), summary.overlap_at_end));
   }
   add_overlaps(summary, true, found);
+  add_passed_walls(summary, found);
   add_unconverged_contact(summary.iterations, found);
   for (const std::string& warning : start_warnings(summary)) found.push_back(warning);
   return found;

@@ -15,12 +15,14 @@ void BegunOverlaps::look(const Scene& scene, const ModelMesh& mesh, double befor
 }
 
 void BegunOverlaps::persist(StateArchive& archive, std::int64_t nodes) {
-  std::vector<std::uint8_t> each(found_.size());
-  archive(each);
-  found_.resize(each.size());
-  for (InitialOverlap& pair : found_) {
-    archive(pair.first, pair.second, pair.points, pair.nodes, pair.node, pair.depth, pair.share, pair.time);
-    archive.require(pair.node < nodes);
+  for (std::vector<InitialOverlap>* all : {&found_, &passed_walls_}) {
+    std::vector<std::uint8_t> each(all->size());
+    archive(each);
+    all->resize(each.size());
+    for (InitialOverlap& pair : *all) {
+      archive(pair.first, pair.second, pair.points, pair.nodes, pair.node, pair.depth, pair.share, pair.time);
+      archive.require(pair.node < nodes);
+    }
   }
 }
 

@@ -85,6 +85,10 @@ void add_overlaps(const Solver<S>& solver, RunSummary& summary) {
   for (const InitialOverlap& found : solver.begun_overlaps()) {
     summary.overlaps.push_back(overlap_result(solver.mesh(), found));
   }
+  for (const InitialOverlap& found : solver.passed_walls()) {
+    summary.overlaps.push_back(overlap_result(solver.mesh(), found));
+    summary.overlaps.back().rigid_wall = true;
+  }
 }
 
 }  // namespace

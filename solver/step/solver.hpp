@@ -137,6 +137,8 @@ class Solver {
   const std::vector<InitialOverlap>& begun_overlaps() const { return begun_overlaps_.found(); }
   /// Forces by name of what holds and moves nodes, and of planes of symmetry that hold rigid bodies [force].
   std::vector<ForceResult> named_forces() const;
+  /// Nodes of bodies, `first`, behind rigid walls, `second`, that began later, when they did.
+  const std::vector<InitialOverlap>& passed_walls() const { return begun_overlaps_.passed_walls(); }
   /// After finish(), where nothing has eroded: erosion exposes what lies deep inside others.
   const InitialOverlap& overlap_at_end() const { return overlap_at_end_; }
   const std::optional<UnseenBalls>& unseen_balls() const { return unseen_balls_; }

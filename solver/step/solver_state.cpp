@@ -121,10 +121,12 @@ std::vector<ForceResult> Solver<S>::named_forces() const {
   return forces;
 }
 
-/// Pairs begin to act in the step whose forces belong to the present time.
+/// Pairs and walls begin to act in the step whose forces belong to the present time.
 template <class S>
 void Solver<S>::look_at_begun_contact() {
   const double before = clock_.force_time(), time = clock_.time();
+  if (boundary_.walls_begin(before, time))
+    begun_overlaps_.take_passed_walls(boundary_.passed_by_begun_walls(model(), before, time));
   if (contact() == nullptr || !BegunOverlaps::begins(model_.scene, before, time)) return;
   look_at_present_mesh([&] { begun_overlaps_.look(model_.scene, model_.mesh, before, time); });
 }

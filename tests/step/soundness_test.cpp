@@ -226,6 +226,73 @@ TEST(Soundness, OverlapsThatWereToldAreSavedWithTheState) {
   EXPECT_EQ(later.begun_overlaps()[0].first, "a");
 }
 
+/// A block that flies through the plane of a rigid wall before this begins, and one above it that stays there.
+Scene wall_begun_late(double start) {
+  Scene scene = scene_of(
+      {block("a", {2, 2, 2}, 0.1, {0, 0, 0.01}, {0, 0, -100}), block("b", {2, 2, 2}, 0.1, {1, 0, 1})}, 8e-4, false);
+  RigidWall& wall = scene.rigid_walls.emplace_back();
+  wall.name = "floor";
+  wall.where = "rigid_wall.0";
+  wall.plane = {{0, 0, 0}, {0, 0, 1}};
+  wall.when.start = start;
+  return scene;
+}
+
+TEST(Soundness, NodesBehindAWallThatBeginsLaterAreTold) {
+  Solver<double> solver(wall_begun_late(4e-4));
+  while (solver.force_time() < 4e-4) {
+    EXPECT_TRUE(solver.passed_walls().empty()) << solver.time();
+    solver.step();
+  }
+  const double time = solver.force_time();
+  const RunSummary summary = summary_of(solver);
+  ASSERT_EQ(summary.overlaps.size(), 1U);
+  const OverlapResult& found = summary.overlaps[0];
+  EXPECT_EQ(found.first + ", " + found.second, "a, floor");
+  EXPECT_TRUE(found.rigid_wall);
+  EXPECT_EQ(found.nodes, 9);
+  EXPECT_EQ(found.time, time);
+  EXPECT_NEAR(found.depth, 100 * time - 0.01, 1e-9);
+  EXPECT_NEAR(found.share, found.depth / 0.1, 1e-9);
+  EXPECT_THAT(warnings(summary), testing::Contains(MatchesRegex(
+                                     "rigid wall floor begins, at time 0.0004.*, when 9 nodes of body a lie behind it, "
+                                     "the deepest, node [0-9]+ of body a, by 0.03.* \\(3.* % of an element\\).*")));
+  EXPECT_THAT(summary.unlikely,
+              testing::Contains(MatchesRegex("rigid_wall.0 begins at time 0.0004, when 9 nodes will lie behind it, the "
+                                             "deepest, node [0-9]+ of body a, by 0.029[0-9]* or more.*")));
+  StateBytes bytes;
+  StateArchive::save(bytes, [&](StateArchive& archive) { solver.persist(archive); });
+  Solver<double> later(wall_begun_late(4e-4));
+  StateArchive archive = StateArchive::reading({bytes.data(), static_cast<std::size_t>(bytes.size())});
+  later.persist(archive);
+  ASSERT_EQ(later.passed_walls().size(), 1U);
+  EXPECT_EQ(later.passed_walls()[0].depth, found.depth);
+}
+
+TEST(Soundness, AWallThatBeginsBeforeNodesPassItIsNotTold) {
+  const auto told = [](const Scene& scene) {
+    const RunSummary summary = result_of(scene);
+    return !summary.overlaps.empty() || !summary.unlikely.empty();
+  };
+  EXPECT_FALSE(told(wall_begun_late(5e-5)));
+  Scene scene = wall_begun_late(4e-4);
+  EXPECT_TRUE(told(scene));
+  scene.rigid_walls[0].when.end = 3e-4;
+  EXPECT_TRUE(result_of(scene).overlaps.empty()) << "it never begins";
+  scene.rigid_walls[0].when.end = 6e-4;
+  scene.rigid_walls[0].nodes.body = "b";
+  EXPECT_FALSE(told(scene)) << "not for it to stop";
+  scene.rigid_walls[0].nodes.body = "";
+  scene.rigid_walls[0].edge = Point{1, 0, 0};
+  scene.rigid_walls[0].plane.point = {0.5, 0, 0};
+  scene.rigid_walls[0].size = {1, 1};
+  EXPECT_FALSE(told(scene)) << "beside it";
+  scene.rigid_walls[0].plane.point = {0, 0, 0};
+  EXPECT_EQ(result_of(scene).overlaps.size(), 1U);
+  scene.bodies[0].position[2] -= 1;
+  EXPECT_FALSE(told(scene)) << "below it altogether";
+}
+
 TEST(Soundness, ABendOfOneLayerIsAllHourglassEnergy) {
   Scene scene = scene_of({block("beam", {8, 1, 1}, 0.1, {0, 0, 0})}, 4e-3, false);
   scene.element.hourglass_coefficient = 1;

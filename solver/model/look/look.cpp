@@ -85,6 +85,7 @@ class LookAt {
     check_whether_anything_meets();
     for (std::string& sentence : opposed_motions(scene_, mesh_)) report(std::move(sentence));
     for (std::string& sentence : passed_walls(scene_, mesh_)) report(std::move(sentence));
+    for (std::string& sentence : walls_begun_late(scene_, mesh_, movers_)) report(std::move(sentence));
     for (std::string& sentence : stopped_rigid_bodies(scene_, mesh_)) report(std::move(sentence));
     for (std::string& sentence : displacement_jumps(scene_)) report(std::move(sentence));
     if (!is_deck(scene_)) {  // whose cards set keys for others, and are reported themselves

@@ -20,15 +20,20 @@ namespace {
 
 constexpr double aligned = 1 - 1e-9;  ///< of a direction with a normal [-]
 constexpr double deep = 1e-6;         ///< what counts as through, over the size of the mesh [-]
+constexpr double begun_deep = 1e-5;   ///< the same where a wall begins: less it takes (rigid_walls.hpp) [-]
+
+/// All where nothing says which.
+std::vector<std::int32_t> nodes_of_wall(const ModelMesh& mesh, const RigidWall& wall) {
+  const NodeSelection nodes = nodes_of(wall);
+  return nodes.all() && nodes.without.empty() ? matching_nodes(mesh, nodes) : select_nodes(mesh, nodes);
+}
 
 /// One look at one wall.
 class PassedWall {
  public:
   PassedWall(const ModelMesh& mesh, const RigidWall& wall, const std::vector<double>& times)
       : mesh_(mesh), wall_(wall), times_(times), gap_(mesh.nodes.size(), outside) {
-    const NodeSelection nodes = nodes_of(wall);
-    for (const std::int32_t n :
-         nodes.all() && nodes.without.empty() ? matching_nodes(mesh, nodes) : select_nodes(mesh, nodes))
+    for (const std::int32_t n : nodes_of_wall(mesh, wall))
       gap_[n] = dot(minus(mesh.nodes[n], wall.plane.point), wall.plane.normal);
   }
 
@@ -81,7 +86,58 @@ bool holds(const FixedConstraint& fixed, const Point& normal) {
          });
 }
 
+struct NodesBehind {
+  std::int64_t count = 0;
+  std::int32_t deepest = -1;
+  double lowest = 0;  ///< gap of it [length]
+
+  void take(std::int32_t node, double gap) {
+    ++count;
+    if (gap >= lowest) return;
+    lowest = gap;
+    deepest = node;
+  }
+};
+
+/// How far a displacement of a mover may at most bring a place along a direction [length].
+double most_along(const Extent& moved, const Point& direction) {
+  double most = 0;
+  for (std::size_t k = 0; k < 3; ++k) most += std::max(direction[k] * moved.low[k], direction[k] * moved.high[k]);
+  return most;
+}
+
 }  // namespace
+
+std::vector<std::string> walls_begun_late(const Scene& scene, const ModelMesh& mesh, const Movers& movers) {
+  std::vector<std::string> found;
+  std::vector<std::size_t> mover_of(mesh.body_names.size(), 0);
+  for (std::size_t m = 0; m < movers.all.size(); ++m) {
+    for (const std::int32_t body : movers.all[m].bodies) mover_of[body] = m;
+  }
+  for (const RigidWall& wall : scene.rigid_walls) {
+    const TimeSpan& when = wall.when;
+    const auto later = std::ranges::lower_bound(movers.times, when.start);
+    if (!(when.start > 0 && when.start < when.end) || wall.edge || later == movers.times.end()) continue;
+    const std::size_t j = later - movers.times.begin();
+    const double size = begun_deep * mesh_size(mesh);
+    std::vector<NodesBehind> behind(movers.all.size());
+    for (const std::int32_t n : nodes_of_wall(mesh, wall)) {
+      const std::size_t m = mover_of[mesh.body_of_node[n]];
+      const std::vector<Extent>& moved = movers.all[m].moved;  // at the times around that when the wall begins
+      const double way = std::max(most_along(moved[j], wall.plane.normal), most_along(moved[j - 1], wall.plane.normal));
+      const double gap = dot(minus(mesh.nodes[n], wall.plane.point), wall.plane.normal) + way;
+      if (gap < -size) behind[m].take(n, gap);
+    }
+    for (const NodesBehind& of : behind) {
+      if (of.count == 0) continue;
+      found.push_back(fmt::format(
+          "{} begins at time {:.4g}, when {} will lie behind it, the deepest, {}, by {:.4g} or more, if nothing that "
+          "they meet keeps them from it: a wall that begins lets such nodes go on",
+          wall.where, when.start, counted(of.count, "node"), node_name(mesh, of.deepest), -of.lowest));
+    }
+  }
+  return found;
+}
 
 std::vector<std::string> passed_walls(const Scene& scene, const ModelMesh& mesh) {
   std::vector<std::string> found;
