@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include <solver/base/state_archive.hpp>
 #include <solver/model/model.hpp>
+#include <solver/results.hpp>
 
 #include "space/boundary_kernels.hpp"
 
@@ -20,15 +24,30 @@ class SymmetryWalls {
   SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>& kernels);
 
   bool any() const { return !walls_.empty(); }
-  /// To be called after the integration; position_step: the step just made with the present velocities [time].
-  void reflect(const NodeArrays<S>& nodes, S position_step) const {
-    for (const auto& wall : walls_) wall->reflect(nodes, position_step);
+  /// When the nodes have the forces of elements, and no others.
+  void keep_forces(const NodeArrays<S>& nodes) {
+    for (Wall& wall : walls_) wall.nodes->keep_forces(nodes);
   }
+  /// To be called after the integration. ends_cycle: all elements are of one time then. Returns the work of the planes
+  /// in the step before, which is done at the time of the forces [energy].
+  double reflect(const NodeArrays<S>& nodes, const StepLengths& step, bool ends_cycle);
 
+  /// Adds what the planes with a name have exerted, as a mean over the steps of the last cycle, to the forces by name.
+  void add_forces(std::vector<ForceResult>& forces) const;
+  void persist(StateArchive& archive);
   std::size_t bytes() const;
 
  private:
-  std::vector<std::unique_ptr<ReflectionKernels<S>>> walls_;  ///< each with the nodes of its bodies that are not in it
+  struct Wall {
+    std::unique_ptr<ReflectionKernels<S>> nodes;  ///< of its bodies that are not in it
+    std::string name;
+    Point inward;
+    double force = 0;  ///< sum over the steps of the cycle [force]
+  };
+  std::vector<Wall> walls_;
+  std::int64_t steps_ = 0;  ///< of this cycle
+  bool cycle_ends_ = true;
+  double work_ = 0;  ///< in the last step [energy]
 };
 
 }  // namespace pinball

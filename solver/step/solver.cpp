@@ -142,7 +142,7 @@ void Solver<S>::make_step(const Due& due) {
   const ContactWork impulses = contact_after_constraints(due);  //      f += impulses of contact; the last two again
   wall_reactions(due);                                          //      f += rigid walls
   const MotionEnergy motion = integrate(due);                   // 5-6  v += dt f/m, x += dt v, f = 0
-  reflect_at_symmetry_planes();                                 //      what erosion has set free
+  reflect_at_symmetry_planes(due);                              //      what erosion has set free
   follow_ties();                                                //      tied nodes go where their faces do
   move_rigid_bodies();                                          //      nodes of rigid bodies go where these do
   keep_accounts(due, element, ties + springs + impulses, motion);  //      energies, counts, guards
@@ -152,7 +152,7 @@ void Solver<S>::make_step(const Due& due) {
 template <class S>
 InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
   const ElementStep<S> step{static_cast<S>(clock_.dt()), S(1), static_cast<S>(clock_.time())};
-  const bool more_forces = boundary_.any() || contact() != nullptr || tied_.any() || rigid_.any();
+  const bool more_forces = boundary_.any() || contact() != nullptr || tied_.any() || rigid_.any() || may_reflect();
   return timers_.measure(Phase::internal_forces, [&] {
     const auto of_rigid_bodies = [this](const auto& put) {
       if (!rigid_.has_common_nodes()) return;
@@ -164,6 +164,7 @@ InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
     of_rigid_bodies([this] { rigid_.put_ways(model_, clock_.dt()); });
     const InternalForceResult<S> result = space_->update_elements(due, step, more_forces);
     of_rigid_bodies([this] { rigid_.put_velocities(model_); });
+    if (may_reflect()) symmetry_walls_.keep_forces(space_->nodes(NodeNumbers::none));
     if (changed_velocities_.any()) begin_change_of_velocities();
     return result;
   });
@@ -297,11 +298,11 @@ void Solver<S>::move_rigid_bodies() {
 }
 
 template <class S>
-void Solver<S>::reflect_at_symmetry_planes() {
-  if (counts_.eroded_elements() == 0) return;
-  if (!symmetry_walls_.any()) return;
-  timers_.measure(Phase::integration,
-                  [&] { symmetry_walls_.reflect(space_->nodes(NodeNumbers::motion), static_cast<S>(clock_.dt())); });
+void Solver<S>::reflect_at_symmetry_planes(const Due& due) {
+  if (!may_reflect()) return;
+  timers_.measure(Phase::integration, [&] {
+    boundary_.add_work(symmetry_walls_.reflect(space_->nodes(NodeNumbers::motion), clock_.lengths(), due.all()));
+  });
 }
 
 /// The total of the energies is checked where all elements are at one time.

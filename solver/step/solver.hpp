@@ -202,7 +202,8 @@ class Solver {
   ContactWork contact_after_constraints(const Due& due);
   void wall_reactions(const Due& due);
   MotionEnergy integrate(const Due& due);
-  void reflect_at_symmetry_planes();
+  bool may_reflect() const { return counts_.eroded_elements() > 0 && symmetry_walls_.any(); }
+  void reflect_at_symmetry_planes(const Due& due);
   void follow_ties();
   void move_rigid_bodies();
   void keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact,

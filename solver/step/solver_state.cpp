@@ -117,6 +117,7 @@ Array<S>& Solver<S>::host_forces() {
 template <class S>
 std::vector<ForceResult> Solver<S>::named_forces() const {
   std::vector<ForceResult> forces = boundary_.forces(model_);
+  symmetry_walls_.add_forces(forces);
   rigid_at_planes_.add_forces(rigid_.results(), forces);
   return forces;
 }
@@ -149,6 +150,7 @@ void Solver<S>::persist(StateArchive& archive) {
   internal_forces_.persist(archive, model_);
   schedule_.persist(archive, model_);
   boundary_.persist(archive, model_);
+  symmetry_walls_.persist(archive);
   if (archive.reads()) contact_.take_held_directions(model_);
   tied_.persist(archive, model_);
   if (archive.reads() && tied_.any()) contact_.set_ties(tied_.nodes(), false);

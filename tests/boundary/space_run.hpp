@@ -54,7 +54,11 @@ class SpaceRun {
   }
 
   Model<S>& model() { return model_; }
-  std::vector<ForceResult> named_forces() const { return boundary_.forces(model_); }
+  std::vector<ForceResult> named_forces() const {
+    std::vector<ForceResult> forces = boundary_.forces(model_);
+    symmetry_.add_forces(forces);
+    return forces;
+  }
   BoundaryConditions<S>& boundary() { return boundary_; }
   /// Takes an element of the scene away, as erosion does.
   void erode(std::size_t element) {
@@ -65,6 +69,7 @@ class SpaceRun {
   void step(double length) {
     const StepLengths lengths{before_, length};
     parallel_for("push", RangePolicy<Space>{0, model_.nodes.count}, PushNodes<S>{force_.data(), S(steps_)});
+    symmetry_.keep_forces(arrays());
     boundary_.follow(model_, arrays(), time_, lengths);
     boundary_.add_loads(arrays(), time_, lengths);
     boundary_.hold(arrays(), time_, lengths);
@@ -72,7 +77,7 @@ class SpaceRun {
     boundary_.count_work(arrays(), lengths);
     parallel_for("integration", RangePolicy<Space>{0, model_.nodes.count},
                  IntegrateNodes<S>{arrays(), force_left_.data(), S(lengths.velocity()), S(length)});
-    symmetry_.reflect(arrays(), S(length));
+    boundary_.add_work(symmetry_.reflect(arrays(), lengths, true));
     before_ = length;
     time_ += length;
     ++steps_;

@@ -123,7 +123,7 @@ void add_finite_wall(Scene& scene) {
 void add_damping(Scene& scene) { scene.damping.mass = 800; }
 void add_symmetry(Scene& scene) {
   scene.materials = {plastic_material("steel", 1e8, 0.5)};
-  scene.constraints = {{{0, 0, 0}, {0, 0, 1}, ""}};
+  scene.constraints = {{{0, 0, 0}, {0, 0, 1}, "", "", 0, "", "mirror"}};
   scene.bodies[0].velocity = {0, 0, -300};
 }
 void add_everything(Scene& scene) {
@@ -202,7 +202,7 @@ INSTANTIATE_TEST_SUITE_P(Conditions, OnADevice,
                                          Case{"gravity", add_gravity}, Case{"constraints", add_constraints},
                                          Case{"prescribed", add_prescribed}, Case{"walls", add_walls},
                                          Case{"moving_walls", add_moving_walls}, Case{"finite_wall", add_finite_wall},
-                                         Case{"damping", add_damping}, Case{"symmetry", add_symmetry, false},
+                                         Case{"damping", add_damping}, Case{"symmetry", add_symmetry},
                                          Case{"everything", add_everything}),
                          [](const auto& of) { return std::string(of.param.name); });
 

@@ -260,6 +260,8 @@ void instantiate_boundary() {
   call_on_all<<<1, 32>>>(ConstrainNodes<S>{});
   call_on_all<<<1, 32>>>(MoveNodes<S>{});
   call_on_all<<<1, 32>>>(ReflectNodes<S>{});
+  call_on_all<<<1, 32>>>(KeepForcesAcross<S>{});
+  add_up<<<1, 32>>>(SumReflection<S>{}, static_cast<Reflection*>(nullptr));
   call_on_all<<<1, 32>>>(PushHeldNodes<S>{});
   add_up_numbers<<<1, 32>>>(EnergyAlong<S>{}, nullptr);
   add_up<<<1, 32>>>(StopAtWall<S>{}, static_cast<WallStop*>(nullptr));

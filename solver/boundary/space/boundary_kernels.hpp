@@ -9,6 +9,7 @@
 #include <kernels/boundary/held_nodes.hpp>
 #include <kernels/boundary/node_arrays.hpp>
 #include <kernels/boundary/rigid_wall.hpp>
+#include <kernels/boundary/symmetry_wall.hpp>
 #include <solver/model/node_spans.hpp>
 
 /// The loops of boundary conditions over nodes and faces, in the memory of an execution space. Lists come from the host
@@ -100,8 +101,10 @@ template <class S>
 class ReflectionKernels {
  public:
   virtual ~ReflectionKernels() = default;
+  /// Keeps what elements have on the nodes across the plane, while there are no other forces.
+  virtual void keep_forces(const NodeArrays<S>& nodes) = 0;
   /// position_step: that just made with the present velocities [time].
-  virtual void reflect(const NodeArrays<S>& nodes, S position_step) const = 0;
+  virtual Reflection reflect(const NodeArrays<S>& nodes, S position_step) const = 0;
   virtual std::size_t bytes() const = 0;
 };
 

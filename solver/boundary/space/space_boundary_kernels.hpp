@@ -51,7 +51,7 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
   std::unique_ptr<ReflectionKernels<S>> reflection(const std::vector<std::int32_t>& nodes,
                                                    const std::array<double, 3>& point,
                                                    const std::array<double, 3>& inward) const override {
-    return std::make_unique<SpaceReflection<S, Space>>(nodes, point, inward);
+    return std::make_unique<SpaceReflection<S, Space>>(nodes, point, inward, of_list(nodes));
   }
   std::unique_ptr<NodeMotionKernels<S>> motion(std::int32_t node_count) const override {
     return std::make_unique<SpaceNodeMotion<S, Space>>(node_count);

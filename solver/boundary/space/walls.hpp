@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kernels/boundary/symmetry_wall.hpp>
+#include <utility>
 
 #include "boundary_kernels.hpp"
 #include "loops.hpp"
@@ -61,22 +61,33 @@ template <class S, class Space>
 class SpaceReflection final : public ReflectionKernels<S> {
  public:
   SpaceReflection(const std::vector<std::int32_t>& nodes, const std::array<double, 3>& point,
-                  const std::array<double, 3>& inward)
-      : nodes_(list_in<Space>(nodes)), point_(point), inward_(inward) {}
+                  const std::array<double, 3>& inward, SharedList shared)
+      : nodes_(list_in<Space>(nodes)), point_(point), inward_(inward), shared_(std::move(shared)) {}
 
-  void reflect(const NodeArrays<S>& nodes, S position_step) const override {
+  void keep_forces(const NodeArrays<S>& nodes) override {
+    const auto [a, b, c] = inward_;
+    across_.renew(nodes_.size());
+    for_each<Space>("forces across symmetry walls", nodes_.size(),
+                    KeepForcesAcross<S>{nodes_.data(), {S(a), S(b), S(c)}, nodes.force, across_.data()}, shared_);
+  }
+  Reflection reflect(const NodeArrays<S>& nodes, S position_step) const override {
     const auto [x, y, z] = point_;
     const auto [a, b, c] = inward_;
-    for_each<Space>(
-        "symmetry walls", nodes_.size(),
-        ReflectNodes<S>{
-            nodes_.data(), {S(x), S(y), S(z)}, {S(a), S(b), S(c)}, position_step, nodes.position, nodes.velocity});
+    const ReflectNodes<S> turn{nodes_.data(), {S(x), S(y), S(z)}, {S(a), S(b), S(c)},
+                               position_step, nodes.position,     nodes.velocity};
+    Reflection sum;
+    add_sum<Space>("work of symmetry walls", nodes_.size(), SumReflection<S>{turn, nodes.mass, across_.data()}, sum,
+                   shared_);
+    for_each<Space>("symmetry walls", nodes_.size(), turn);
+    return sum;
   }
-  std::size_t bytes() const override { return nodes_.bytes(); }
+  std::size_t bytes() const override { return nodes_.bytes() + across_.bytes(); }
 
  private:
   Array<std::int32_t, typename Space::memory_space> nodes_;
+  Array<S, typename Space::memory_space> across_;  ///< per node, of keep_forces() [force]
   std::array<double, 3> point_, inward_;
+  SharedList shared_;
 };
 
 }  // namespace pinball
