@@ -15,6 +15,7 @@ void bind_boundary(py::module_& module) {
   bind_table<TimeTable>(module, "TimeTable", "Factor over time, piecewise linear.");
   bind_table<PlaneConstraint>(module, "SymmetryPlane", "[[constraint]] type = \"symmetry\"");
   bind_table<FixedConstraint>(module, "Fixed", "[[constraint]] type = \"fixed\", with directions along x, y, z");
+  bind_table<EquationTerm>(module, "EquationTerm", "[[equation]]: a term of an equation among displacements");
   bind_table<RigidWall>(module, "RigidWall", "[[rigid_wall]]");
   bind_table<PrescribedVelocity>(module, "PrescribedVelocity", "[[prescribed_velocity]]");
   bind_table<NodalLoad>(module, "Load", "[[load]]");
@@ -33,6 +34,7 @@ void bind_boundary(py::module_& module) {
   bind_list<Joint>(module, "Joints");
   bind_list<PlaneConstraint>(module, "SymmetryPlanes");
   bind_list<FixedConstraint>(module, "FixedConstraints");
+  bind_list<EquationTerm>(module, "EquationTerms");
   bind_list<RigidWall>(module, "RigidWalls");
   bind_list<PrescribedVelocity>(module, "PrescribedVelocities");
   bind_list<NodalLoad>(module, "Loads");

@@ -168,6 +168,7 @@ struct Scene {
   DampingSettings damping;
   std::vector<PlaneConstraint> constraints;        ///< [[constraint]] type = "symmetry"
   std::vector<FixedConstraint> fixed_constraints;  ///< [[constraint]] type = "fixed"
+  std::vector<EquationTerm> equation_terms;        ///< [[equation]]
   std::vector<RigidWall> rigid_walls;
   std::vector<PrescribedVelocity> prescribed_velocities;
   std::vector<NodalLoad> loads;

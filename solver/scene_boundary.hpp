@@ -78,6 +78,16 @@ struct FixedConstraint {
   std::string name{};           ///< name: of its force on the nodes; those of one name together; empty: not asked for
 };
 
+/// [[equation]]: one term of a linear equation among displacements. The terms of one name add up to zero: the sum of
+/// factor (u . direction) over them, once for all of their nodes or, where terms have several nodes, for the first of
+/// each, the second of each and so on; a term of one node is then in all of these.
+struct EquationTerm {
+  std::string name{};  ///< name: of the equation that it is a term of
+  Point direction{};   ///< direction: of the displacement, of unit length
+  double factor = 1;   ///< factor [-]
+  NodeSelection nodes{};
+};
+
 /// [[rigid_wall]]: a plane that no node crosses, free to be left. With a mass it moves along its normal as the nodes
 /// push it; else with a speed as given.
 struct RigidWall {

@@ -55,6 +55,7 @@ bool erodes(const Material& material);
 double bulk_modulus_at_rest(const EquationOfStateSettings& eos, double density);
 std::optional<Problem> problem_of(const TimeTable& table);
 std::optional<Problem> problem_of(const TimeSpan& when);
+std::optional<Problem> problem_of(const EquationTerm& term);
 std::optional<Problem> problem_of(const RigidWall& wall);
 std::optional<Problem> problem_of(const Box& box);
 /// Of one by itself, and beside the rest of the scene.

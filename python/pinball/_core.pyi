@@ -1007,6 +1007,18 @@ class Fixed:
     nodes: NodeSelection
     """which nodes"""
 
+class EquationTerm:
+    """[[equation]]: a term of an equation among displacements"""
+    def __init__(self, *, name: str = ..., direction: Sequence[float] = ..., factor: float = ..., nodes: NodeSelection = ...) -> None: ...
+    name: str
+    """of the equation that this is a term of; those of one name add up to zero"""
+    direction: Field[list[float], Sequence[float]]
+    """of the displacement that is a term [-]"""
+    factor: float
+    """of the displacement along it, not 0 [-]"""
+    nodes: NodeSelection
+    """which nodes; several: an equation for each of them"""
+
 class RigidWall:
     """[[rigid_wall]]"""
     def __init__(self, *, name: str = ..., plane: Plane = ..., friction: float = ..., sliding: bool = ..., edge: Optional[Sequence[float]] = ..., size: Sequence[float] = ..., mass: float = ..., speed: float = ..., table: TimeTable = ..., when: TimeSpan = ..., body: str = ..., nodes: NodeSelection = ..., where: str = ...) -> None: ...
@@ -1299,6 +1311,21 @@ class FixedConstraints(MutableSequence[Fixed]):
     def __delitem__(self, place: Union[int, slice]) -> None: ...
     def insert(self, index: int, value: Fixed) -> None: ...
 
+class EquationTerms(MutableSequence[EquationTerm]):
+    """A list of EquationTerm."""
+    def __init__(self, items: Iterable[EquationTerm] = ...) -> None: ...
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, place: int) -> EquationTerm: ...
+    @overload
+    def __getitem__(self, place: slice) -> list[EquationTerm]: ...
+    @overload
+    def __setitem__(self, place: int, value: EquationTerm) -> None: ...
+    @overload
+    def __setitem__(self, place: slice, value: Iterable[EquationTerm]) -> None: ...
+    def __delitem__(self, place: Union[int, slice]) -> None: ...
+    def insert(self, index: int, value: EquationTerm) -> None: ...
+
 class RigidWalls(MutableSequence[RigidWall]):
     """A list of RigidWall."""
     def __init__(self, items: Iterable[RigidWall] = ...) -> None: ...
@@ -1443,7 +1470,7 @@ class SceneSource:
 
 class Scene:
     """What is to be run: the fields are those of a scene file."""
-    def __init__(self, *, name: str = ..., path: str = ..., title: str = ..., units: str = ..., precision: Union[Precision, str] = ..., device: Union[Device, str] = ..., refine: int = ..., of_deck: bool = ..., time: TimeSettings = ..., element: ElementSettings = ..., contact: ContactSettings = ..., contact_pairs: Union[ContactPairs, list[ContactPair]] = ..., tied_contacts: Union[TiedContacts, list[TiedContact]] = ..., skip: SkipSettings = ..., guard: GuardSettings = ..., output: OutputSettings = ..., materials: Union[Materials, list[Material]] = ..., bodies: Union[Bodies, list[Body]] = ..., rigid_bodies: Union[RigidBodies, list[RigidBody]] = ..., attached_nodes: Union[AttachedNodesList, list[AttachedNodes]] = ..., rigid_motions: Union[RigidMotions, list[RigidMotion]] = ..., joints: Union[Joints, list[Joint]] = ..., symmetry_planes: Union[SymmetryPlanes, list[SymmetryPlane]] = ..., fixed: Union[FixedConstraints, list[Fixed]] = ..., rigid_walls: Union[RigidWalls, list[RigidWall]] = ..., prescribed_velocities: Union[PrescribedVelocities, list[PrescribedVelocity]] = ..., loads: Union[Loads, list[Load]] = ..., pressures: Union[Pressures, list[Pressure]] = ..., gravities: Union[Gravities, list[Gravity]] = ..., point_masses: Union[PointMasses, list[PointMass]] = ..., initial_velocities: Union[InitialVelocities, list[InitialVelocity]] = ..., damping: float = ..., probes: Union[Probes, list[Probe]] = ..., source: Optional[SceneSource] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., path: str = ..., title: str = ..., units: str = ..., precision: Union[Precision, str] = ..., device: Union[Device, str] = ..., refine: int = ..., of_deck: bool = ..., time: TimeSettings = ..., element: ElementSettings = ..., contact: ContactSettings = ..., contact_pairs: Union[ContactPairs, list[ContactPair]] = ..., tied_contacts: Union[TiedContacts, list[TiedContact]] = ..., skip: SkipSettings = ..., guard: GuardSettings = ..., output: OutputSettings = ..., materials: Union[Materials, list[Material]] = ..., bodies: Union[Bodies, list[Body]] = ..., rigid_bodies: Union[RigidBodies, list[RigidBody]] = ..., attached_nodes: Union[AttachedNodesList, list[AttachedNodes]] = ..., rigid_motions: Union[RigidMotions, list[RigidMotion]] = ..., joints: Union[Joints, list[Joint]] = ..., symmetry_planes: Union[SymmetryPlanes, list[SymmetryPlane]] = ..., fixed: Union[FixedConstraints, list[Fixed]] = ..., equation_terms: Union[EquationTerms, list[EquationTerm]] = ..., rigid_walls: Union[RigidWalls, list[RigidWall]] = ..., prescribed_velocities: Union[PrescribedVelocities, list[PrescribedVelocity]] = ..., loads: Union[Loads, list[Load]] = ..., pressures: Union[Pressures, list[Pressure]] = ..., gravities: Union[Gravities, list[Gravity]] = ..., point_masses: Union[PointMasses, list[PointMass]] = ..., initial_velocities: Union[InitialVelocities, list[InitialVelocity]] = ..., damping: float = ..., probes: Union[Probes, list[Probe]] = ..., source: Optional[SceneSource] = ...) -> None: ...
     name: str
     """of the file, without folder and ending"""
     path: str
@@ -1492,6 +1519,8 @@ class Scene:
     """nodes on a plane do not move across it"""
     fixed: Field[FixedConstraints, Union[FixedConstraints, list[Fixed]]]
     """nodes do not move along some directions"""
+    equation_terms: Field[EquationTerms, Union[EquationTerms, list[EquationTerm]]]
+    """displacements that add up to zero"""
     rigid_walls: Field[RigidWalls, Union[RigidWalls, list[RigidWall]]]
     """planes that nodes do not cross"""
     prescribed_velocities: Field[PrescribedVelocities, Union[PrescribedVelocities, list[PrescribedVelocity]]]

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include <solver/base/point.hpp>
 
@@ -34,6 +36,19 @@ std::vector<Point> directions_acted_on(const Scene& scene) {
   for (const PrescribedVelocity& given : scene.prescribed_velocities) {
     if (given.direction) add(*given.direction);
     if (!given.direction) add_all();
+  }
+  struct Coefficients {
+    Point sum{};  ///< along which momentum goes outside
+    double size = 0;
+  };
+  std::map<std::string, Coefficients> equations;
+  for (const EquationTerm& term : scene.equation_terms) {
+    Coefficients& of_name = equations[term.name];
+    for (std::size_t k = 0; k < 3; ++k) of_name.sum[k] += term.factor * term.direction[k];
+    of_name.size += std::abs(term.factor);
+  }
+  for (const auto& [name, of_name] : equations) {
+    if (norm(of_name.sum) > 1e-9 * of_name.size) add(of_name.sum);
   }
   for (const RigidBody& rigid : scene.rigid_bodies) {
     for (const Point& direction : rigid.held) add(direction);

@@ -240,6 +240,15 @@ void check_constraints(Scene& scene, const BodyNames& names) {
            });
 }
 
+void check_equations(Scene& scene, const BodyNames& names) {
+  for_each(scene.equation_terms, "equation", [&](const Table& table, EquationTerm& term, const auto& where) {
+    table.require_none(name_problem(term.name));
+    table.keys(term);
+    names.check(table, term.nodes, where);
+    table.require_none(problem_of(term));
+  });
+}
+
 void check_walls(Scene& scene, const BodyNames& names) {
   Names walls;
   for_each(scene.rigid_walls, "rigid_wall", [&](const Table& table, RigidWall& wall, const auto& where) {
@@ -331,6 +340,7 @@ Scene checked_scene(Scene scene) {
   const BodyNames names(scene);
   check_rigid_bodies(scene, names);
   check_constraints(scene, names);
+  check_equations(scene, names);
   check_walls(scene, names);
   check_motion(scene, names);
   check_loads(scene, names);

@@ -88,6 +88,10 @@ void complete_scene(Scene& scene) {
     make_unit(fixed.axis.direction);
     for (Point& direction : fixed.directions) make_unit(direction);
   }
+  for (EquationTerm& term : scene.equation_terms) {
+    make_unit(term.nodes);
+    make_unit(term.direction);
+  }
   for (std::size_t w = 0; w < scene.rigid_walls.size(); ++w) {
     make_unit(scene.rigid_walls[w].plane.normal);
     make_unit(scene.rigid_walls[w].nodes);
@@ -112,6 +116,11 @@ void complete_scene(Scene& scene) {
 
 std::optional<Problem> problem_of(const TimeSettings& time) {
   if (time.steps == 0) return Problem{"steps", "expected an integer >= 1, or -1 for no limit, got 0"};
+  return {};
+}
+
+std::optional<Problem> problem_of(const EquationTerm& term) {
+  if (term.factor == 0) return Problem{"factor", "expected a number that is not 0, got 0"};
   return {};
 }
 

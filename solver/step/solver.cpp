@@ -66,6 +66,7 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
       space_(make_space()),
       symmetry_walls_(model_, *space_->boundary_kernels()),
       boundary_(model_, space_->boundary_kernels()),
+      equations_(model_),
       probes_(model_),
       body_energies_(model_, *space_->boundary_kernels()),
       motion_(space_->boundary_kernels()->motion(model_.nodes.count)),
@@ -82,7 +83,8 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
     unseen_balls_ = find_unseen_balls(model_.scene, model_.mesh);
     sound_swallowing_ = sound_swallowing_of(model_.scene);
   }
-  require_built(model_, boundary_.any());
+  if (equations_.any() && contact_.acts_on_velocities()) equations_.require_apart(contact()->nodes());
+  require_built(model_, boundary_.any() || equations_.any());
   const SmallestStep smallest = check_against_steps(model_.scene, model_.mesh, clock_.longest_impact_step());
   smallest_step_ = smallest.step;
   clock_.expect_impacts(smallest.rate_of_closing);
@@ -138,6 +140,7 @@ void Solver<S>::make_step(const Due& due) {
   const ContactWork springs = contact_before_constraints(due, element);  // 4    f += penalty of contact
   choose_time_step(due, element, springs);                               //      dt_(n+1/2)
   boundary_forces(due);                                         // 1-2  f += loads, damping; ties; constraints, given v
+  add_equation_forces(due);                                     //      f += what keeps equations of displacements
   share_rigid_forces();                                         //      f of rigid bodies: those of their common motion
   const ContactWork impulses = contact_after_constraints(due);  //      f += impulses of contact; the last two again
   wall_reactions(due);                                          //      f += rigid walls
@@ -152,7 +155,8 @@ void Solver<S>::make_step(const Due& due) {
 template <class S>
 InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
   const ElementStep<S> step{static_cast<S>(clock_.dt()), S(1), static_cast<S>(clock_.time())};
-  const bool more_forces = boundary_.any() || contact() != nullptr || tied_.any() || rigid_.any() || may_reflect();
+  const bool more_forces = boundary_.any() || equations_.any() || contact() != nullptr || tied_.any() || rigid_.any() ||
+                           may_reflect();
   return timers_.measure(Phase::internal_forces, [&] {
     const auto of_rigid_bodies = [this](const auto& put) {
       if (!rigid_.has_common_nodes()) return;
@@ -232,6 +236,19 @@ void Solver<S>::hold(const Due& due) {
   boundary_.hold(space_->nodes(NodeNumbers::all), clock_.time(), clock_.lengths(), schedule_.due_spans(due));
 }
 
+/// Constraints have acted, so that the velocities which the forces of now lead to are known; they act once more on what
+/// equations add along held directions.
+template <class S>
+void Solver<S>::add_equation_forces(const Due& due) {
+  if (!equations_.any()) return;
+  timers_.measure(Phase::boundary_conditions, [&] {
+    space_->show(NodeNumbers::all);
+    equations_.add_forces(model_, clock_.lengths());
+    space_->take(NodeNumbers::force);
+    hold(due);
+  });
+}
+
 template <class S>
 void Solver<S>::share_rigid_forces() {
   if (!rigid_.any()) return;
@@ -309,7 +326,7 @@ void Solver<S>::reflect_at_symmetry_planes(const Due& due) {
 template <class S>
 void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact,
                               const MotionEnergy& motion) {
-  ledger_.book(element, contact, boundary_.work() + rigid_.work(), clock_.dt_before());
+  ledger_.book(element, contact, boundary_.work() + equations_.work() + rigid_.work(), clock_.dt_before());
   if (body_energies_.any()) body_energies_.book(space_->work_of_bodies());
   counts_.count(due, element, contact, contact_.surface_elements(), model_.element_count(), clock_.force_time());
   const double energy = motion.kinetic + energies().total();

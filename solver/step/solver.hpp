@@ -10,6 +10,7 @@
 
 #include <solver/base/state_archive.hpp>
 #include <solver/boundary/boundary_conditions.hpp>
+#include <solver/boundary/equations.hpp>
 #include <solver/boundary/symmetry_walls.hpp>
 #include <solver/device/step_space.hpp>
 #include <solver/elements/internal_forces.hpp>
@@ -198,6 +199,7 @@ class Solver {
   double leap_of_motions(const StepLengths& step, int ahead) const;
   double leap(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
   Point watched_way_ahead(std::int32_t node) const;
+  void add_equation_forces(const Due& due);
   void share_rigid_forces();
   ContactWork contact_after_constraints(const Due& due);
   void wall_reactions(const Due& due);
@@ -218,6 +220,7 @@ class Solver {
   std::unique_ptr<StepSpace<S>> space_;
   SymmetryWalls<S> symmetry_walls_;
   BoundaryConditions<S> boundary_;
+  Equations<S> equations_;
   Probes<S> probes_;
   BodyEnergies<S> body_energies_;
   std::unique_ptr<NodeMotionKernels<S>> motion_;  ///< of all nodes

@@ -51,7 +51,10 @@ double Solver<S>::leap_of_motions(const StepLengths& step, int ahead) const {
 /// two steps, or begin with, have leapt [length/time].
 template <class S>
 double Solver<S>::leap(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs) {
-  if (due.first) given_leap_.join(unequal_velocities(model_, model_.nodes.velocity.data()));
+  if (due.first) {
+    given_leap_.join(unequal_velocities(model_, model_.nodes.velocity.data()));
+    given_leap_.join({equations_.leap(model_), 0});
+  }
   const double dt = schedule_.cycle_steps() * (due.first ? clock_.first_step(element.time_step) : clock_.dt());
   const double impact = due.first ? std::max(model_.look.closing_speed, boundary_.leap_at_start())
                                   : std::max(springs.expected_change, boundary_.closing());

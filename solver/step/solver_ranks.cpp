@@ -24,13 +24,14 @@ void Solver<S>::follow_rank_0() {
   }
 }
 
-/// What contact, ties and rigid bodies read and move, each on all ranks, or beside a device.
+/// What contact, ties, equations and rigid bodies read and move, each on all ranks, or beside a device.
 template <class S>
 void Solver<S>::choose_common_nodes() {
   if (contact() != nullptr) space_->add_common(contact()->nodes());
   std::vector<std::int32_t> nodes;
   for (const auto& [node, mass] : tied_.nodes().masses_without()) nodes.push_back(node);
   for (const RigidNodes& rigid : model_.rigid) nodes.insert(nodes.end(), rigid.nodes.begin(), rigid.nodes.end());
+  nodes.insert(nodes.end(), equations_.nodes().begin(), equations_.nodes().end());
   space_->add_common(nodes);
 }
 
@@ -40,6 +41,7 @@ void Solver<S>::follow_constraints() {
   if (domain_ && boundary_.changes(clock_.time())) space_->bring_nodes();
   if (!boundary_.follow(model_, space_->nodes(NodeNumbers::none), clock_.time(), clock_.lengths())) return;
   contact_.take_held_directions(model_);
+  equations_.take_held_directions(model_);
   if (domain_) domain_->connect_sums(model_);
 }
 

@@ -135,8 +135,8 @@ void Solver<S>::look_at_begun_contact() {
 template <class S>
 std::size_t Solver<S>::bytes() const {
   return model_.bytes() + internal_forces_.bytes() + schedule_.bytes() + contact_.bytes() + symmetry_walls_.bytes() +
-         boundary_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() + space_->bytes() +
-         changed_velocities_.bytes() + (domain_ ? domain_->bytes() : 0);
+         boundary_.bytes() + equations_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() +
+         space_->bytes() + changed_velocities_.bytes() + (domain_ ? domain_->bytes() : 0);
 }
 
 template <class S>
@@ -151,7 +151,11 @@ void Solver<S>::persist(StateArchive& archive) {
   schedule_.persist(archive, model_);
   boundary_.persist(archive, model_);
   symmetry_walls_.persist(archive);
-  if (archive.reads()) contact_.take_held_directions(model_);
+  if (archive.reads()) {
+    contact_.take_held_directions(model_);
+    equations_.take_held_directions(model_);
+  }
+  equations_.persist(archive);
   tied_.persist(archive, model_);
   if (archive.reads() && tied_.any()) contact_.set_ties(tied_.nodes(), false);
   rigid_.persist(archive);

@@ -35,6 +35,19 @@ TEST(MomentumError, LeavesOutDirectionsInWhichSomethingActs) {
   EXPECT_FALSE(momentum_error(scene, summary()).has_value());
 }
 
+/// The forces of an equation add up to a multiple of the sum of its coefficients.
+TEST(MomentumError, IsWhatEquationsKeep) {
+  Scene scene;
+  for (const double factor : {0.3, -0.1, -0.2}) scene.equation_terms.push_back({"even", {1, 0, 0}, factor, {}});
+  EXPECT_DOUBLE_EQ(momentum_error(scene, summary()).value(), momentum_error({}, summary()).value());
+  scene.equation_terms[0].factor = 0.4;
+  Scene held;
+  held.constraints.resize(1);
+  held.constraints[0].normal = {1, 0, 0};
+  EXPECT_DOUBLE_EQ(momentum_error(scene, summary()).value(), momentum_error(held, summary()).value());
+  EXPECT_NE(momentum_error(scene, summary()).value(), momentum_error({}, summary()).value());
+}
+
 TEST(MomentumError, IsNotKnownWhereEverythingIsActedOn) {
   const auto with = [](const auto& change) {
     Scene scene;

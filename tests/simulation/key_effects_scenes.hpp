@@ -127,6 +127,9 @@ inline std::map<std::string, std::string> key_effects_scenes() {
       {"fixed", acted_on("[[constraint]]\ntype = \"fixed\"\nname = \"f\"\ndirections = [\"x\"]\nbody = \"a\"\n"
                          "box = { low = [-1, -1, -1], high = [2, 2, 0.1] }\nend = 1.0\n"
                          "[[constraint]]\ntype = \"fixed\"\ndirections = \"all\"\nnearest = [1, 1, 1]\n")},
+      {"equations", acted_on("[[equation]]\nname = \"e\"\ndirection = [0, 0, 1]\nbody = \"a\"\n"
+                             "plane = { normal = [0, 0, 1] }\n[[equation]]\nname = \"e\"\ndirection = [0, 0, 1]\n"
+                             "factor = -0.5\nbody = \"b\"\nplane = { point = [0, 0, 3], normal = [0, 0, 1] }\n")},
       {"fixed about an axis", acted_on("[[constraint]]\ntype = \"fixed\"\ndirections = [\"radial\"]\nframe = "
                                        "\"cylindrical\"\naxis = { direction = [0, 0, 1] }\nbody = \"a\"\n"
                                        "plane = { normal = [0, 0, 1] }\n")},

@@ -213,8 +213,9 @@ bool is_default(const std::string& kind, const std::string& key, const GivenValu
                   GuardSettings, DampingSettings, OutputSettings, Material, JohnsonCookSettings, DruckerPragerSettings,
                   CrushableFoamSettings, MooneyRivlinSettings, OrthotropicSettings, FluidSettings,
                   EquationOfStateSettings, ErosionSettings, Body, RoundNosedRodMesh, CylinderMesh, SphereMesh,
-                  RigidBody, AttachedNodes, RigidMotion, Joint, PlaneConstraint, FixedConstraint, Plane, Line,
-                  RigidWall, PrescribedVelocity, NodalLoad, Pressure, Gravity, PointMass, InitialVelocity, Probe>();
+                  RigidBody, AttachedNodes, RigidMotion, Joint, PlaneConstraint, FixedConstraint, EquationTerm, Plane,
+                  Line, RigidWall, PrescribedVelocity, NodalLoad, Pressure, Gravity, PointMass, InitialVelocity,
+                  Probe>();
   const auto of_kind = all.find(kind);
   if (of_kind == all.end()) return false;
   const auto found = of_kind->second.find(key);

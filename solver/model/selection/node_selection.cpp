@@ -127,7 +127,7 @@ bool selects_by_place(const Scene& scene) {
     return std::ranges::any_of(items, [member](const auto& item) { return by_place(item.*member); });
   };
   return !scene.constraints.empty() || !scene.rigid_walls.empty() ||
-         any(scene.fixed_constraints, &FixedConstraint::nodes) ||
+         any(scene.fixed_constraints, &FixedConstraint::nodes) || any(scene.equation_terms, &EquationTerm::nodes) ||
          any(scene.prescribed_velocities, &PrescribedVelocity::nodes) || any(scene.loads, &NodalLoad::nodes) ||
          any(scene.pressures, &Pressure::faces) || any(scene.point_masses, &PointMass::nodes) ||
          any(scene.initial_velocities, &InitialVelocity::nodes);

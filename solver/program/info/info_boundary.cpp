@@ -111,6 +111,10 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
   for (const FixedConstraint& fixed : scene.fixed_constraints)
     fmt::print("    fixed: {} along {}{}\n", nodes_text(model.mesh, fixed.nodes), directions_of(fixed),
                span_text(fixed.when, units));
+  for (const EquationTerm& term : scene.equation_terms) {
+    fmt::print("  equation {}: {:.6g} times the way along {} of {}\n", term.name, term.factor,
+               vector_text(term.direction, ""), nodes_text(model.mesh, term.nodes));
+  }
   for (const RigidWall& wall : scene.rigid_walls) {
     const NodeSelection nodes = nodes_of(wall);
     fmt::print("  rigid wall {}: through {}, free side along {}{}{}{}{}{}\n", wall.name,

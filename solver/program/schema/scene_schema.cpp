@@ -149,6 +149,7 @@ SchemaJson definitions() {
   define<FixedConstraint>(
       all, some_nodes(),
       {{"if", where("frame", "cylindrical")}, {"then", required({"axis"})}, {"else", {{"not", required({"axis"})}}}});
+  define<EquationTerm>(all, some_nodes());
   define<RigidWall>(all);
   define<PrescribedVelocity>(all, some_nodes(), either(required({"velocity"}), required({"direction", "speed"})));
   define<NodalLoad>(all, some_nodes());

@@ -27,6 +27,7 @@ void for_each_list(SceneOrConst& scene, const Visit& visit) {
   };
   const auto nodes = [](auto& item) -> auto& { return item.nodes; };
   all(scene.fixed_constraints, "constraint", nodes);
+  all(scene.equation_terms, "equation", nodes);
   all(scene.rigid_walls, "rigid_wall", nodes);
   all(scene.prescribed_velocities, "prescribed_velocity", nodes);
   all(scene.loads, "load", nodes);

@@ -70,6 +70,21 @@ constexpr void describe(Of<FixedConstraint>, Visit&& visit) {
 }
 
 template <class Visit>
+constexpr void describe(Of<EquationTerm>, Visit&& visit) {
+  using T = EquationTerm;
+  visit(Key{"name",
+            &T::name,
+            "of the equation that this is a term of; those of one name add up to zero",
+            {.need = Need::required, .form = Form::name}});
+  visit(Key{"direction",
+            &T::direction,
+            "of the displacement that is a term",
+            {.unit = "-", .need = Need::required, .form = Form::direction}});
+  visit(Key{"factor", &T::factor, "of the displacement along it, not 0", {.unit = "-"}});
+  visit(Group{"nodes", &T::nodes, "which nodes; several: an equation for each of them"});
+}
+
+template <class Visit>
 constexpr void describe(Of<RigidWall>, Visit&& visit) {
   using T = RigidWall;
   visit(Key{"name",

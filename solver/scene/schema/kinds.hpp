@@ -48,6 +48,7 @@ constexpr Kind kind(Of<RigidMotion>) { return {"rigid_motion", "rigid_motion.NUM
 constexpr Kind kind(Of<Joint>) { return {"joint", "joint.NAME"}; }
 constexpr Kind kind(Of<PlaneConstraint>) { return {"symmetry", "constraint.NUMBER"}; }
 constexpr Kind kind(Of<FixedConstraint>) { return {"fixed", "constraint.NUMBER"}; }
+constexpr Kind kind(Of<EquationTerm>) { return {"equation", "equation.NUMBER"}; }
 constexpr Kind kind(Of<Plane>) { return {"plane", "plane"}; }
 constexpr Kind kind(Of<Line>) { return {"line", "line"}; }
 constexpr Kind kind(Of<Box>) { return {"box", "box"}; }

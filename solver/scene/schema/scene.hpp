@@ -111,6 +111,7 @@ constexpr void describe(Of<Scene>, Visit&& visit) {
   visit(Tables{"joint", "joints", &T::joints, "how rigid bodies move with each other"});
   visit(Tables{"constraint", "symmetry_planes", &T::constraints, "nodes on a plane do not move across it"});
   visit(Tables{"constraint", "fixed", &T::fixed_constraints, "nodes do not move along some directions"});
+  visit(Tables{"equation", "equation_terms", &T::equation_terms, "displacements that add up to zero"});
   visit(Tables{"rigid_wall", "rigid_walls", &T::rigid_walls, "planes that nodes do not cross"});
   visit(Tables{"prescribed_velocity", "prescribed_velocities", &T::prescribed_velocities, "nodes that move as given"});
   visit(Tables{"load", "loads", &T::loads, "forces on nodes"});

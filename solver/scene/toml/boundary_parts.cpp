@@ -54,6 +54,13 @@ FixedConstraint read_fixed_constraint(const SceneTable& table) {
   return constraint;
 }
 
+EquationTerm read_equation_term(const SceneTable& table) {
+  EquationTerm term;
+  read_with_nodes(table, term);
+  table.require_none(problem_of(term));
+  return term;
+}
+
 RigidWall read_rigid_wall(const SceneTable& table, std::size_t number) {
   RigidWall wall;
   wall.where = wall.nodes.where = table.place();

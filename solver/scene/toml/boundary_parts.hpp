@@ -12,6 +12,7 @@ namespace pinball {
 void require_selection(const SceneTable& table, const NodeSelection& nodes);
 PlaneConstraint read_symmetry(const SceneTable& table);
 FixedConstraint read_fixed_constraint(const SceneTable& table);
+EquationTerm read_equation_term(const SceneTable& table);
 /// `number`: of the wall in the file, for its default name.
 RigidWall read_rigid_wall(const SceneTable& table, std::size_t number);
 PrescribedVelocity read_prescribed_velocity(const SceneTable& table);

@@ -91,8 +91,8 @@ std::vector<TableKeys> all_kinds() {
   add(mesh_keys());
   add(keys_of<RigidBody, AttachedNodes, RigidMotion, Joint>());
   add({together("constraint", keys_of<PlaneConstraint, FixedConstraint>())});
-  add(keys_of<PlaneConstraint, FixedConstraint, Plane, Line, Box, RigidWall, PrescribedVelocity, NodalLoad, Pressure,
-              Gravity, PointMass, InitialVelocity, DampingSettings, Probe>());
+  add(keys_of<PlaneConstraint, FixedConstraint, EquationTerm, Plane, Line, Box, RigidWall, PrescribedVelocity,
+              NodalLoad, Pressure, Gravity, PointMass, InitialVelocity, DampingSettings, Probe>());
   return all;
 }
 

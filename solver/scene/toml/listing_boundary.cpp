@@ -77,6 +77,7 @@ void list_boundary(const Scene& scene, std::vector<SceneEntry>& all) {
     list_keys(table, joint);
   }
   list_constraints(scene, all);
+  list_numbered("equation", scene.equation_terms, all);
   list_walls(scene, all);
   list_numbered("prescribed_velocity", scene.prescribed_velocities, all);
   list_numbered("load", scene.loads, all);

@@ -99,6 +99,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
       forces.emplace_back(table, scene.fixed_constraints.back().name);
     }
   }
+  for (const auto& table : tables("equation")) scene.equation_terms.push_back(read_equation_term(table));
   Names walls;
   for (const auto& table : tables("rigid_wall")) {
     const RigidWall wall = read_rigid_wall(table, scene.rigid_walls.size());

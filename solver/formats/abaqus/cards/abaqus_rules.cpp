@@ -141,7 +141,7 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"DAMAGE INITIATION", rejected, "SHEAR FAILURE in its place"},
       {"DAMAGE EVOLUTION", rejected, "the same"},
       {"MPC", rejected, ""},
-      {"EQUATION", rejected, ""},
+      {"EQUATION", done, "of displacements of nodes of solids, or of sets of them, in the order of their numbers", ""},
       {"TRANSFORM", rejected, "local systems of nodes"},
       {"SYSTEM", rejected, "local systems of nodes"},
       {"NGEN", rejected, "meshes that the deck generates"},

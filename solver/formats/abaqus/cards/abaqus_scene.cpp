@@ -114,6 +114,7 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   translate_abaqus_materials(data, scene);
   translate_abaqus_bodies(data, options.mesh_file(path), bodies);
   translate_abaqus_boundary(data, boundary);
+  translate_abaqus_equations(data, boundary);
   translate_abaqus_initial_velocities(data, boundary);
   translate_abaqus_loads(data, boundary);
   data.point_masses.write(mesh.file.node_ids, "mass", "ELSET", boundary);
