@@ -26,6 +26,10 @@ inline const std::vector<std::pair<int, Point>> ten_nodes_nodes = [] {
 inline constexpr std::array<std::array<int, 10>, 2> ten_nodes_elements{
     {{1, 2, 3, 4, 12, 23, 13, 14, 24, 34}, {2, 3, 4, 5, 23, 34, 24, 25, 35, 45}}};
 
+/// In that of LS-DYNA: 12, 23, 13, 24, 34, 14.
+inline constexpr std::array<std::array<int, 10>, 2> keyword_ten_nodes{
+    {{1, 2, 3, 4, 12, 23, 13, 24, 34, 14}, {2, 3, 4, 5, 23, 34, 24, 35, 45, 25}}};
+
 /// "1, 0, 0, 0\n" for each node, or with another separator.
 inline std::string ten_nodes_lines(const std::string& separator = ", ") {
   std::string lines;

@@ -39,8 +39,8 @@ std::string abaqus() {
 }
 
 std::string keyword() {
-  return "*KEYWORD\n*NODE\n" + ten_nodes_lines(",") + "*ELEMENT_SOLID\n1,1\n" + joined(ten_nodes_elements[0], ",") +
-         "\n2,1\n" + joined(ten_nodes_elements[1], ",") +
+  return "*KEYWORD\n*NODE\n" + ten_nodes_lines(",") + "*ELEMENT_SOLID\n1,1\n" + joined(keyword_ten_nodes[0], ",") +
+         "\n2,1\n" + joined(keyword_ten_nodes[1], ",") +
          "\n*SET_NODE_LIST_TITLE\nsome\n3\n1,2,12\n*SET_SEGMENT_TITLE\nside\n9\n1,3,2,2\n*END\n";
 }
 

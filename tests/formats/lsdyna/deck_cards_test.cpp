@@ -91,8 +91,8 @@ TEST_F(DeckCards, WedgesHaveFormsOfTheirOwn) {
 
 TEST_F(DeckCards, TetrahedraOfTenNodesHaveFormsOfTheirOwn) {
   const auto deck = [](const std::string& form, const std::string& more = "") {
-    return "*NODE\n" + ten_nodes_lines(",") + "*ELEMENT_SOLID\n1,1\n" + joined(ten_nodes_elements[0], ",") + "\n2,1\n" +
-           joined(ten_nodes_elements[1], ",") + "\n*PART\ntwo\n1,1,1\n*SECTION_SOLID\n1," + form + "\n" + more +
+    return "*NODE\n" + ten_nodes_lines(",") + "*ELEMENT_SOLID\n1,1\n" + joined(keyword_ten_nodes[0], ",") + "\n2,1\n" +
+           joined(keyword_ten_nodes[1], ",") + "\n*PART\ntwo\n1,1,1\n*SECTION_SOLID\n1," + form + "\n" + more +
            elastic + ends;
   };
   for (const char* form : {"16", "17", "1"}) {

@@ -216,11 +216,19 @@ TEST_F(IncludedMesh, AMirroredFileHasItsElementsTurned) {
   EXPECT_EQ(file.mesh.nodes[1][0], -1);
 }
 
+/// In the order of other formats the node of the edge 1-4 stands where that of 2-4 is expected.
+TEST(KeywordMesh, TheLastOfTenNodesIsThatOfTheFirstAndTheFourth) {
+  const std::string ten = "*NODE\n" + ten_nodes_lines(",") + "*ELEMENT_SOLID\n1,1\n";
+  EXPECT_THAT(error_of(ten + joined(ten_nodes_elements[0], ",") + "\n"),
+              HasSubstr("node 34 is not near the middle of its edge, from node 1 to 4"));
+  EXPECT_EQ(read(ten + joined(keyword_ten_nodes[0], ",") + "\n").mesh.hexahedra.size(), 8u);
+}
+
 TEST_F(IncludedMesh, AMirroredFileHasItsTenNodesTurned) {
   std::ofstream(folder_ / "part.k") << "*KEYWORD\n*NODE\n"
                                     << ten_nodes_lines(",") << "*ELEMENT_SOLID\n1,1\n"
-                                    << joined(ten_nodes_elements[0], ",") << "\n2,1\n"
-                                    << joined(ten_nodes_elements[1], ",") << "\n";
+                                    << joined(keyword_ten_nodes[0], ",") << "\n2,1\n"
+                                    << joined(keyword_ten_nodes[1], ",") << "\n";
   std::ofstream(folder_ / "mirrored.k")
       << "*KEYWORD\n*DEFINE_TRANSFORMATION\n4\nMIRROR,0,0,0,1,0,0\n*INCLUDE_TRANSFORM\npart.k\n0,0\n\n\n4\n";
   const MeshFile file = keyword_mesh(read_keyword_deck((folder_ / "mirrored.k").string()));

@@ -175,6 +175,7 @@ class KeywordMeshReader {
     file_.mesh.hexahedra.push_back(corners);
   }
 
+  /// The node of the edge 1-4 comes last, behind those of 2-4 and 3-4, as OpenRadioss' reader and LS-PrePost have it.
   void add_ten_nodes(const Fields& fields, std::int64_t to_node, bool mirrored) {
     std::array<std::int32_t, 10> n{};
     for (std::size_t i = 0; i < 10; ++i) {
@@ -182,6 +183,7 @@ class KeywordMeshReader {
       if (id == 0) fail_element(fields, "has nine nodes or less: expected eight, or ten of a tetrahedron");
       n[i] = node_of(fields, id + to_node);
     }
+    std::rotate(n.begin() + 7, n.begin() + 9, n.end());  // 1-4, 2-4, 3-4
     if (mirrored) {  // the first two corners change their places, and edges with them
       std::swap(n[0], n[1]);
       std::swap(n[5], n[6]);
