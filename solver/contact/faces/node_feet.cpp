@@ -88,7 +88,6 @@ void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
       const double beyond = std::max(std::abs(lane(at.xi, i)), std::abs(lane(at.eta, i))) - 1;
       const NodeFoot foot{pairs.first[place],
                           pairs.second[place],
-                          pairs.apart[place] != 0,
                           lane(at.gap, i),
                           lane(at.outside, i),
                           lane(at.outside, i) * std::max(0.0, 1 - edge_margin / beyond),

@@ -19,7 +19,6 @@ inline constexpr double edge_margin = 1e-3;
 /// The nearest point of a segment to a node (kernels/face_projection.hpp).
 struct NodeFoot {
   std::int32_t slave, segment;  ///< numbers in the surface
-  bool apart;                   ///< the mesh does not keep both apart
   double gap, outside;          ///< along the normal; along the plane, of what is beyond the edges [length]
   double past_margin;           ///< the same, of what is beyond the part of the face that counts as the face [length]
   Vec3<double> normal;

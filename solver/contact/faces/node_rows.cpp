@@ -45,6 +45,15 @@ bool may_face(const SegmentSurface<S>& surface, std::int32_t slave, const Vec3<d
   });
 }
 
+/// Whether all lists have a node and a face: others, whose faces look the same way, or which the mesh keeps apart, are
+/// in some lists by chance.
+template <class S>
+bool counts(const SegmentSurface<S>& surface, const ListedNodes<S>& pairs, std::int32_t place) {
+  const std::int32_t slave = pairs.first[place], segment = pairs.second[place];
+  return surface.active(slave) && may_face(surface, slave, double_vector_of(record(surface.plane().data(), segment))) &&
+         (pairs.apart[place] != 0 || !surface.beside(surface.around(slave), std::span(&segment, 1)));
+}
+
 /// Whether all of the surface around a node rises from it, seen along a normal: a sharp corner may touch although none
 /// of its faces looks at the other body within 60 degrees.
 template <class S>
@@ -62,7 +71,7 @@ bool is_lowest(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
   return true;
 }
 
-/// A node and its feet in a step.
+/// A node and its feet in a step, on faces that all lists have with it.
 template <class S>
 class NodeMeeting {
  public:
@@ -77,7 +86,6 @@ class NodeMeeting {
 
   /// Adds the rows of the node: of one body after the other, by number.
   void add_rows(std::vector<FeatureRow>& rows) const {
-    if (!surface_.active(feet_.front().slave)) return;
     if (std::ranges::none_of(feet_, [&](const NodeFoot& foot) { return may_have_row(foot); })) return;
     for (std::int32_t body = next_body(-1); body >= 0; body = next_body(body)) add_rows_with(body, rows);
   }
@@ -115,21 +123,12 @@ class NodeMeeting {
     return step_.dt * dot(v, foot.normal);
   }
 
-  /// Whether node and face may touch: near each other, looking at each other, and not kept apart by the mesh.
+  /// Whether node and face may touch: near each other, and looking at each other.
   bool looks(const NodeFoot& foot) const {
     const double depth_before = step_.depth[slave_.node];
     if (!may_touch(foot.gap, closing(foot), step_.leap, size_of(foot), depth_before)) return false;
     const Vec3<S> normal{static_cast<S>(foot.normal.x), static_cast<S>(foot.normal.y), static_cast<S>(foot.normal.z)};
-    return (surface_.faces(foot.slave, normal) || is_lowest(source_, surface_, foot.slave, foot.normal)) &&
-           counts(foot);
-  }
-
-  /// Whether all lists have node and face: others, whose faces look the same way, or which the mesh keeps apart, are in
-  /// some lists by chance.
-  bool counts(const NodeFoot& foot) const {
-    const auto mean = double_vector_of(record(surface_.plane().data(), foot.segment));
-    return may_face(surface_, foot.slave, mean) &&
-           (foot.apart || !surface_.beside(surface_.around(foot.slave), std::span(&foot.segment, 1)));
+    return surface_.faces(foot.slave, normal) || is_lowest(source_, surface_, foot.slave, foot.normal);
   }
 
   /// A foot beyond an edge belongs to the face on its side of the corner; inside, that is at the bottom of a valley,
@@ -142,7 +141,7 @@ class NodeMeeting {
     if (foot.outside > std::min(0 - foot.gap, valley * radius_of(foot))) return false;
     return std::none_of(feet_.begin(), feet_.end(), [&](const NodeFoot& other) {
       return other.gap > 0 && other.gap < foot.outside - foot.gap && is_on_face(other) &&
-             segment_of(other).body == segment_of(foot).body && counts(other);
+             segment_of(other).body == segment_of(foot).body;
     });
   }
 
@@ -188,9 +187,8 @@ class NodeMeeting {
     Vec3<double> sum = foot.normal;
     for (const NodeFoot& other : feet_) {
       if (!ties(foot, other)) continue;
-      const bool counted =
-          dot(other.normal, foot.normal) > other_side ? counts(other) : bulges(foot, other) && looks(other);
-      if (counted) sum = sum + other.normal;
+      if (dot(other.normal, foot.normal) > other_side || (bulges(foot, other) && looks(other)))
+        sum = sum + other.normal;
     }
     return unless_steep(foot, sum);
   }
@@ -279,6 +277,7 @@ void NodeRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& 
                        const StepReach& step, const ListShare& share) {
   rows_.find("node rows", share, [&](std::int64_t number, const ListPart& part, RowPieces::Piece& piece) {
     find_near_nodes<S>(source, surface, pairs, part, step, piece.near);
+    std::erase_if(piece.near, [&](std::int32_t place) { return !counts(surface, pairs, place); });
     std::vector<NodeFoot>& feet = feet_[number];
     find_feet<S>(source, surface, pairs, piece.near, feet);
     for (auto begin = feet.begin(); begin != feet.end();) {
