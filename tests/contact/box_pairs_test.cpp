@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <solver/contact/search/box_pairs.hpp>
 #include <tests/support/support.hpp>
@@ -294,10 +295,19 @@ TYPED_TEST(BoxPairsTest, AreFoundOneByOneWhenBoxesHaveChanged) {
         list.include(set.moving.box(i), i);
       }
       Pairs found;
-      for (int i = 0; i < configuration.count; i += 3) {
-        list.for_each_meeting(set.moving.box(i), [&](std::int32_t other) {
-          if (other > i) found.emplace_back(i, other);
-        });
+      constexpr int together = 4;  // groups near some boxes are looked for at once
+      for (int first = 0; first < configuration.count; first += 3 * together) {
+        std::vector<MovingBox<S>> some;
+        const int end = std::min(configuration.count, first + 3 * together);
+        for (int i = first; i < end; i += 3) some.push_back(set.moving.box(i));
+        std::vector<std::int32_t> groups;
+        list.find_groups(some, groups);
+        for (int i = first; i < end; i += 3) {
+          const auto add = [&](std::int32_t other) {
+            if (other > i) found.emplace_back(i, other);
+          };
+          for (const std::int32_t group : groups) list.for_each_meeting(group, set.moving.box(i), add);
+        }
       }
       EXPECT_EQ(found, brute_force(set.boxes, [](std::int32_t a, std::int32_t) { return a % 3 == 0; }));
     }

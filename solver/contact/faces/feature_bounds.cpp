@@ -16,13 +16,6 @@ namespace {
 static_assert(near_gap > open_gap && 2 * near_gap >= deepest_edges);
 
 template <class S>
-void take(MovingBox<S>& box, const MovingBox<S>& other) {
-  for (int k = 0; k < 12; ++k) {
-    box.bound[k] = k % 6 < 3 ? minimum(box.bound[k], other.bound[k]) : maximum(box.bound[k], other.bound[k]);
-  }
-}
-
-template <class S>
 void widen(MovingBox<S>& box, S by) {
   for (int k = 0; k < 12; ++k) box.bound[k] += k % 6 < 3 ? -by : by;
 }
@@ -270,7 +263,7 @@ MovingBox<S> FeatureBounds<S>::edge_box(const SegmentSurface<S>& surface, const 
                                         std::int32_t edge) const {
   const auto& slaves = edges.edges()[edge].slave;
   MovingBox<S> box = node_box_[slaves[0]];
-  take(box, node_box_[slaves[1]]);
+  include_box(box, node_box_[slaves[1]]);
   widen(box, static_cast<S>(near_gap) * size_at_edge(surface, edges, edge));
   return box;
 }
@@ -308,7 +301,7 @@ bool FeatureBounds<S>::turn(const SegmentSurface<S>& surface, std::int32_t segme
 template <class S>
 void FeatureBounds<S>::renew_box(const SegmentSurface<S>& surface, std::int32_t segment) {
   MovingBox<S> box = empty_box<S>();
-  for (const std::int32_t slave : surface.slaves_of(segment)) take(box, node_box_[slave]);
+  for (const std::int32_t slave : surface.slaves_of(segment)) include_box(box, node_box_[slave]);
   widen(box, static_cast<S>(near_gap) * surface.segments()[segment].size);
   boxes_.set(place_[segment], box);
 }

@@ -1,10 +1,7 @@
 #include "feature_lists.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <span>
-#include <utility>
 
 #include <kernels/simd.hpp>
 
@@ -20,6 +17,7 @@ bool segments_may_touch(const SegmentSurface<S>& surface, std::int32_t a, std::i
 
 /// All that is found in a new list.
 struct Everything {
+  static unsigned features(std::int32_t /*own*/, std::int32_t /*other*/) { return ~0U; }
   static bool node(std::int32_t /*slave*/, std::int32_t /*segment*/) { return true; }
   static bool edges(std::int32_t /*low*/, std::int32_t /*high*/) { return true; }
 };
@@ -158,143 +156,7 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
 }
 
 template <class S>
-void FeatureLists<S>::mark_changed(const SegmentSurface<S>& surface) {
-  changed_slave_.resize(surface.slaves().size());
-  near_change_.resize(surface.segments().size());
-  near_segments_.clear();
-  for (const std::int32_t slave : changed_slaves_) changed_slave_[slave] = is_changed;
-  for (const std::int32_t slave : changed_slaves_) {
-    for (const std::int32_t s : surface.around(slave)) {
-      if (near_change_[s] != 0) continue;
-      near_change_[s] = is_changed;
-      near_segments_.push_back(s);
-    }
-  }
-}
-
-template <class S>
-void FeatureLists<S>::unmark_changed(const SegmentSurface<S>& surface) {
-  for (const std::int32_t slave : changed_slaves_) changed_slave_[slave] = 0;
-  for (const std::int32_t s : near_segments_) {
-    near_change_[s] = 0;
-    was_active_[s] = surface.active_segment(s) ? 1 : 0;
-  }
-}
-
-/// What meets a segment that is new, and whatever a node or an edge of a changed one meets: it may have belonged to one
-/// that has ended, or the mesh may have kept it apart.
-template <class S>
-bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-                                     const SphereSurface<S>& spheres) {
-  if (!valid_) return false;
-  changed_slaves_.clear();
-  for (const std::int32_t changed : surface.just_changed()) {
-    const auto& slaves = surface.slaves_of(changed);
-    changed_slaves_.insert(changed_slaves_.end(), slaves.begin(), slaves.end());
-  }
-  const std::int64_t before = entries();
-  mark_changed(surface);
-  take_in_more(surface, edges, spheres);
-  return entries() > before;
-}
-
-/// Where a segment with such a node looks may have changed, too, and so what its other nodes and all of its edges may
-/// meet.
-template <class S>
-bool FeatureLists<S>::follow_strays(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
-                                    const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
-                                    const std::vector<float>& depth) {
-  constexpr std::int64_t part = 16;  // of the nodes: where more have strayed a search takes less
-  if (!valid_ || clock_.over() || spheres.count() != 0) return false;
-  motion_.find_strayed(source.position, clock_.elapsed(), strayed_);  // slaves are watched in their order
-  if (part * std::ssize(strayed_) > std::ssize(surface.slaves())) return false;
-  std::vector<std::int32_t> nodes;
-  for (const std::int32_t slave : strayed_) {
-    nodes.push_back(surface.slaves()[slave].node);
-    const S* const x = source.x(nodes.back());
-    if (!std::isfinite(x[0] + x[1] + x[2])) return false;
-    scope_.depth[slave] = std::max(scope_.depth[slave], depth[nodes.back()]);
-  }
-  source.before_motion(nodes);
-  motion_.restart(strayed_, source.position, source.velocity, skin_, clock_.elapsed(),
-                  scope_.horizon - clock_.elapsed());
-  bounds_.move(surface, strayed_, scope_);
-  changed_slaves_ = strayed_;
-  for (const std::int32_t slave : strayed_) {
-    for (const std::int32_t s : surface.around(slave)) {
-      if (!bounds_.turn(surface, s)) continue;
-      changed_slaves_.insert(changed_slaves_.end(), surface.slaves_of(s).begin(), surface.slaves_of(s).end());
-    }
-  }
-  mark_changed(surface);
-  for (const std::int32_t slave : strayed_) {
-    changed_slave_[slave] = has_strayed;
-    for (const std::int32_t s : surface.around(slave)) near_change_[s] = has_strayed;
-  }
-  take_in_more(surface, edges, spheres);
-  return true;
-}
-
-/// Boxes of segments around a change are made anew, and pairs with these found anew.
-template <class S>
-void FeatureLists<S>::take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-                                   const SphereSurface<S>& spheres) {
-  const std::int32_t segments = surface.segments().size();
-  const std::int64_t near = near_segments_.size();
-  pairs_.prepare_to_look_up(bounds_.boxes());
-  for (const std::int32_t s : near_segments_) {
-    if (!surface.active_segment(s)) continue;
-    features_.forget(s);
-    bounds_.renew_box(surface, s);
-    pairs_.include(bounds_.segment_box(s), bounds_.box_of_segment(s));
-  }
-  parallel_for("segments near changes", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    PairColumns& found = near_pairs_[piece];
-    found.pairs = 0;
-    found_sphere_segments_[piece].clear();
-    for (std::int64_t i = near * piece / fixed_pieces; i < near * (piece + 1) / fixed_pieces; ++i) {
-      const std::int32_t own = near_segments_[i];
-      if (!surface.active_segment(own)) continue;
-      pairs_.for_each_meeting(bounds_.segment_box(own), [&](std::int32_t box) {
-        if (box >= segments) {
-          const bool is_new = was_active_[own] == 0 && may_touch(surface, spheres, self_, own, box);
-          if (is_new) found_sphere_segments_[piece].push_back({box - segments, own});
-          return;
-        }
-        const std::int32_t other = bounds_.segment_of(box);
-        const bool again = near_change_[other] != 0 && other <= own;
-        if (again || !may_touch(surface, spheres, self_, own, other)) return;
-        found.add(own, other);
-        features_.ask_for(own);
-        features_.ask_for(other);
-      });
-    }
-  });
-  features_.collect(bounds_, surface, edges, which_features());
-  const FeatureScope<S> scope{surface, edges, bounds_, features_, allowed_};
-  const Changed changed{*this, edges};
-  parallel_for("features near changes", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    PairColumns &nodes = more_nodes_.found()[piece], &crossing = more_edges_.found()[piece];
-    nodes.pairs = 0;
-    crossing.pairs = 0;
-    const PairColumns& pairs = near_pairs_[piece];
-    for (std::size_t pair = 0; pair < pairs.pairs; ++pair) {
-      add_features_of_pair(scope, pairs.first[pair], pairs.second[pair], changed, nodes, crossing);
-    }
-  });
-  more_nodes_.sort_few();
-  more_edges_.sort_few();
-  nodes_.take_in(more_nodes_, surface);
-  edges_.take_in(more_edges_, surface, edges);
-  std::vector<Pair>& with_spheres = spheres_.with_segments;
-  for (const auto& some : found_sphere_segments_) with_spheres.insert(with_spheres.end(), some.begin(), some.end());
-  std::sort(with_spheres.begin(), with_spheres.end());
-  unmark_changed(surface);
-}
-
-template <class S>
 void FeatureLists<S>::join_sphere_pairs() {
-  for (auto* list : {&spheres_.with_segments, &spheres_.with_spheres}) list->clear();
   const auto join = [](const auto& found, std::vector<Pair>& list) {
     list.clear();
     for (const std::vector<Pair>& some : found) list.insert(list.end(), some.begin(), some.end());
@@ -351,9 +213,11 @@ std::size_t FeatureLists<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t sum = motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(scope_.depth) + nodes_.bytes() +
                     edges_.bytes() + of(spheres_.with_segments) + of(spheres_.with_spheres) + of(was_active_) +
-                    of(changed_slave_) + of(near_change_) + more_nodes_.bytes() + more_edges_.bytes() +
-                    features_.bytes() + of(near_segments_) + of(changed_slaves_) + of(strayed_);
+                    of(changed_slave_) + of(near_change_) + of(changed_features_) + of(looking_segments_) +
+                    more_nodes_.bytes() + more_edges_.bytes() + features_.bytes() + of(near_segments_) +
+                    of(changed_slaves_) + of(strayed_);
   for (const PairColumns& pairs : near_pairs_) sum += pairs.bytes();
+  for (const auto& groups : near_groups_) sum += of(groups);
   for (const auto* found : {&found_sphere_segments_, &found_spheres_}) {
     for (const std::vector<Pair>& pairs : *found) sum += of(pairs);
   }

@@ -108,25 +108,27 @@ class FeatureLists {
   /// What lists may not have yet: pairs of a node or an edge that has changed, and of a segment that has.
   struct Changed {
     const FeatureLists& lists;
-    const EdgeTable<S>& edges_of_surface;
 
-    bool node(std::int32_t slave, std::int32_t segment) const {
-      return (lists.changed_slave_[slave] != 0 || lists.has_changed(segment)) && !lists.nodes_.has(slave, segment);
+    unsigned features(std::int32_t own, std::int32_t other) const {
+      const unsigned all_nodes = lists.has_changed(other) ? (1U << SegmentFeatures<S>::first_edge) - 1 : 0;
+      return lists.changed_features_[own] | all_nodes;
     }
-    bool edges(std::int32_t low, std::int32_t high) const {
-      return (has_changed(low) || has_changed(high)) && !lists.edges_.has(low, high);
-    }
-    /// Edges of a segment that looks elsewhere or has eroded have changed at both ends.
-    bool has_changed(std::int32_t edge) const {
-      const auto& slave = edges_of_surface.edges()[edge].slave;
-      const std::uint8_t a = lists.changed_slave_[slave[0]], b = lists.changed_slave_[slave[1]];
-      return (a != 0 && b != 0) || std::max(a, b) == has_strayed;
-    }
+    bool node(std::int32_t slave, std::int32_t segment) const { return !lists.nodes_.has(slave, segment); }
+    bool edges(std::int32_t low, std::int32_t high) const { return !lists.edges_.has(low, high); }
   };
   /// Whether a segment has strayed, or is active since the lists were made.
   bool has_changed(std::int32_t segment) const {
     return near_change_[segment] == has_strayed || was_active_[segment] == 0;
   }
+  /// The nodes and edges of a segment that have changed, of those that are looked for with it, one bit each.
+  std::uint8_t changed_features_of(const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                                   std::int32_t segment) const;
+  /// Whether something may be missing of a segment: it has changed, or something that is looked for with it.
+  bool looks_anew(std::int32_t segment) const {
+    return near_change_[segment] != 0 && (changed_features_[segment] != 0 || has_changed(segment));
+  }
+  /// Pairs of these segments, and of those that meet them: near_pairs_, and what has come to spheres.
+  void find_near_pairs(const SegmentSurface<S>& surface, const SphereSurface<S>& spheres);
   /// Marks slaves that have changed, and what is around them, or takes the marks away.
   void mark_changed(const SegmentSurface<S>& surface);
   void unmark_changed(const SegmentSurface<S>& surface);
@@ -156,9 +158,12 @@ class FeatureLists {
   std::vector<std::int32_t> near_segments_;  ///< around changed slaves
   static constexpr std::uint8_t is_changed = 1, has_strayed = 2;
   std::vector<std::uint8_t> changed_slave_, near_change_;  ///< marks of both, taken away again
+  std::vector<std::uint8_t> changed_features_;             ///< the same, per segment near a change
+  std::vector<std::int32_t> looking_segments_;             ///< those of near_segments_ that look_anew()
   // What follows is kept for its memory alone.
   std::array<std::vector<Pair>, fixed_pieces> found_sphere_segments_, found_spheres_;
   PairOrder::Pieces near_pairs_;
+  std::array<std::vector<std::int32_t>, fixed_pieces> near_groups_;
 };
 
 }  // namespace pinball

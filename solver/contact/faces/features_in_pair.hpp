@@ -43,7 +43,8 @@ void add_nodes_of_pair(const FeatureScope<S>& scope, std::int32_t own, std::int3
 }
 
 /// Adds the nodes of each of two segments that may touch the other one, and the edges that may touch, the lower number
-/// first. wanted.node(slave, segment), wanted.edges(low, high): whether a pair is wanted.
+/// first. wanted.features(own, other): which nodes of a segment are wanted with another one, and which of its edges
+/// with all of the other's, a bit each; wanted.node(slave, segment), wanted.edges(low, high): whether such a pair is.
 template <class S, class Wanted>
 void add_features_of_pair(const FeatureScope<S>& scope, std::int32_t a, std::int32_t b, const Wanted& wanted,
                           PairColumns& nodes, PairColumns& edges) {
@@ -51,13 +52,16 @@ void add_features_of_pair(const FeatureScope<S>& scope, std::int32_t a, std::int
   constexpr unsigned all_nodes = (1U << first_edge) - 1;
   const unsigned near_b = scope.features.meeting(a, scope.bounds.segment_box(b));
   const unsigned near_a = scope.features.meeting(b, scope.bounds.segment_box(a));
-  add_nodes_of_pair(scope, a, b, near_b & all_nodes, wanted, nodes);
-  add_nodes_of_pair(scope, b, a, near_a & all_nodes, wanted, nodes);
-  if (near_a <= all_nodes) return;
-  for (unsigned of_a = near_b & ~all_nodes; of_a != 0; of_a &= of_a - 1) {
+  const unsigned wanted_a = wanted.features(a, b), wanted_b = wanted.features(b, a);
+  add_nodes_of_pair(scope, a, b, near_b & wanted_a & all_nodes, wanted, nodes);
+  add_nodes_of_pair(scope, b, a, near_a & wanted_b & all_nodes, wanted, nodes);
+  const unsigned edges_of_b = near_a & ~all_nodes, wanted_of_b = edges_of_b & wanted_b;
+  if (edges_of_b == 0) return;
+  for (unsigned of_a = near_b & ~all_nodes & (wanted_of_b != 0 ? ~0U : wanted_a); of_a != 0; of_a &= of_a - 1) {
     const int i = lowest_bit(of_a);
     const std::int32_t e = scope.edges.edges_of(a)[i - first_edge];
-    unsigned of_b = near_a & ~all_nodes & scope.features.meeting(b, scope.features.box(a, i));
+    unsigned of_b = (wanted_a >> i & 1U) != 0 ? edges_of_b : wanted_of_b;
+    of_b &= scope.features.meeting(b, scope.features.box(a, i));
     for (; of_b != 0; of_b &= of_b - 1) {
       const int j = lowest_bit(of_b);
       const std::int32_t f = scope.edges.edges_of(b)[j - first_edge];

@@ -9,19 +9,6 @@
 
 namespace pinball {
 
-namespace {
-
-/// The segment that an edge belongs to: the first that is active.
-template <class S>
-std::int32_t owner_of(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t edge) {
-  for (const std::int32_t s : edges.segments_of(edge)) {
-    if (surface.active_segment(s)) return s;
-  }
-  return -1;
-}
-
-}  // namespace
-
 template <class S>
 void SegmentFeatures<S>::clear(std::size_t segments) {
   count_ = 0;
@@ -61,6 +48,30 @@ void SegmentFeatures<S>::collect(const FeatureBounds<S>& bounds, const SegmentSu
   });
 }
 
+/// By the calling thread but for the records: what is looked at is as long as the pairs, not as the surface.
+template <class S>
+void SegmentFeatures<S>::collect_those_of(const PairOrder::Pieces& pairs, const FeatureBounds<S>& bounds,
+                                          const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                                          FeaturesOf which) {
+  few_.clear();
+  const auto take = [this](std::int32_t segment) {
+    if (known_[segment] != 0) return;
+    known_[segment] = 1;
+    if (place_[segment] < 0) place_[segment] = count_++;
+    few_.push_back(segment);
+  };
+  for (const PairColumns& some : pairs) {
+    for (std::size_t pair = 0; pair < some.pairs; ++pair) {
+      take(some.first[pair]);
+      take(some.second[pair]);
+    }
+  }
+  if (std::ssize(record_) < count_) record_.resize(count_);
+  constexpr std::int64_t numbers = sizeof(Record) / sizeof(S);
+  for_all_of("features of few segments", std::ssize(few_), std::ssize(few_) * numbers,
+             [&](std::int64_t i) { fill(record_[place_[few_[i]]], few_[i], bounds, surface, edges, which); });
+}
+
 template <class S>
 void SegmentFeatures<S>::fill(Record& record, std::int32_t segment, const FeatureBounds<S>& bounds,
                               const SegmentSurface<S>& surface, const EdgeTable<S>& edges, FeaturesOf which) {
@@ -84,8 +95,8 @@ void SegmentFeatures<S>::fill(Record& record, std::int32_t segment, const Featur
 
 template <class S>
 std::size_t SegmentFeatures<S>::bytes() const {
-  return record_.capacity() * sizeof(Record) + place_.capacity() * sizeof(place_[0]) + asked_.capacity() +
-         known_.capacity();
+  return record_.capacity() * sizeof(Record) + few_.capacity() * sizeof(few_[0]) +
+         place_.capacity() * sizeof(place_[0]) + asked_.capacity() + known_.capacity();
 }
 
 template class SegmentFeatures<double>;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <kernels/ball_tree.hpp>
+#include <solver/contact/search/pair_order.hpp>
 #include <solver/contact/segments/edge_table.hpp>
 #include <solver/contact/segments/segment_surface.hpp>
 
@@ -14,6 +15,15 @@ namespace pinball {
 
 /// Which nodes and edges of a segment are looked for: those that belong to it, so that each is met once, or all.
 enum class FeaturesOf { owner, all };
+
+/// The segment that an edge belongs to: the first that is active; negative: none is.
+template <class S>
+std::int32_t owner_of(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t edge) {
+  for (const std::int32_t s : edges.segments_of(edge)) {
+    if (surface.active_segment(s)) return s;
+  }
+  return -1;
+}
 
 /// The nodes and edges of segments, side by side, so that all of a segment are compared with a box at once. Only
 /// segments in pairs of boxes that meet are asked for: of all others nothing is worked out.
@@ -35,6 +45,10 @@ class SegmentFeatures {
   /// Works out what was asked for, and was not before.
   void collect(const FeatureBounds<S>& bounds, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                FeaturesOf which);
+
+  /// The same of the segments of a few pairs, asked for or not.
+  void collect_those_of(const PairOrder::Pieces& pairs, const FeatureBounds<S>& bounds,
+                        const SegmentSurface<S>& surface, const EdgeTable<S>& edges, FeaturesOf which);
 
   /// The features of a segment that was asked for whose boxes meet a box, one bit each; a node that a segment has twice
   /// is met once.
@@ -59,6 +73,7 @@ class SegmentFeatures {
   std::vector<std::int64_t> place_;          ///< per segment: its record; negative: none
   std::vector<std::uint8_t> asked_, known_;  ///< per segment: it was asked for; what its record has holds
   std::vector<Record> record_;               ///< with room for more
+  std::vector<std::int32_t> few_;            ///< segments whose records are made, kept for its memory
 };
 
 }  // namespace pinball

@@ -26,6 +26,19 @@ void BoxPairs<S>::prepare_to_look_up(const MovingBoxes<S>& boxes) {
 }
 
 template <class S>
+void BoxPairs<S>::find_groups(std::span<const MovingBox<S>> boxes, std::vector<std::int32_t>& groups) const {
+  groups.clear();
+  if (tree_.view().levels == 1) {
+    groups.push_back(0);
+    return;
+  }
+  MovingBox<S> around = empty_box<S>();
+  for (const MovingBox<S>& box : boxes) include_box(around, box);
+  for_each_meeting_box<Pack<S, native_width<S>>>(tree_.view(), around, 1, 0,
+                                                 [&groups](std::int32_t group) { groups.push_back(group); });
+}
+
+template <class S>
 std::int64_t BoxPairs<S>::pairs() const {
   std::int64_t sum = 0;
   for (const PairColumns& found : sorted_) sum += found.pairs;

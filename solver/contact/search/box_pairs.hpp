@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <kernels/exec.hpp>
 #include <solver/base/piece_share.hpp>
@@ -45,10 +46,13 @@ class BoxPairs {
   void include(const MovingBox<S>& box, std::int32_t i) {
     if (has_tree_) tree_.include(box, i);
   }
-  /// Calls visit(number) for all boxes that meet this one, in rising order.
+  /// The groups of boxes among which all are that meet some of these, in rising order.
+  void find_groups(std::span<const MovingBox<S>> boxes, std::vector<std::int32_t>& groups) const;
+  /// Calls visit(number) for the boxes of a group that meet this one, in rising order.
   template <class Visit>
-  void for_each_meeting(const MovingBox<S>& box, const Visit& visit) const {
-    for_each_meeting_box<Pack<S, native_width<S>>>(tree_.view(), box, 0, 0, visit);
+  void for_each_meeting(std::int32_t group, const MovingBox<S>& box, const Visit& visit) const {
+    unsigned bits = meeting_boxes<Pack<S, native_width<S>>>(tree_.view().boxes(0, group), box);
+    for (; bits != 0; bits &= bits - 1) visit(group * ball_group<S> + lowest_bit(bits));
   }
   std::size_t bytes() const;
 

@@ -55,9 +55,7 @@ void BoxLevels<S>::include(const MovingBox<S>& box, std::int64_t i, int levels) 
   for (int level = 1; level < levels; ++level) {
     i /= ball_group<S>;
     MovingBox<S> above = get_box(level_[level].data(), i);
-    for (int c = 0; c < 12; ++c) {
-      above.bound[c] = c % 6 < 3 ? minimum(above.bound[c], box.bound[c]) : maximum(above.bound[c], box.bound[c]);
-    }
+    include_box(above, box);
     put_box(above, level_[level].data(), i);
   }
 }

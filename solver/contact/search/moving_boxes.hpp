@@ -10,6 +10,14 @@
 
 namespace pinball {
 
+/// Makes a box as large as another asks for.
+template <class S>
+void include_box(MovingBox<S>& box, const MovingBox<S>& other) {
+  for (int c = 0; c < 12; ++c) {
+    box.bound[c] = c % 6 < 3 ? minimum(box.bound[c], other.bound[c]) : maximum(box.bound[c], other.bound[c]);
+  }
+}
+
 /// Boxes with bounds at the beginning and at the end of a time considered, in groups as BoxTreeView wants them.
 template <class S>
 class MovingBoxes {
