@@ -149,10 +149,16 @@ bool FaceAlgorithm<S>::follow_strays(const SurfaceSource<S>& source) {
 }
 
 template <class S>
+void FaceAlgorithm<S>::list_slave(std::int32_t slave) {
+  if (adds_to_choice_ && listed_slave_[slave] == 0) listed_nodes_.push_back(surface_.slaves()[slave].node);
+  set_mark(listed_slave_[slave]);
+}
+
+template <class S>
 void FaceAlgorithm<S>::choose_edge(std::int32_t edge) {
   for (const std::int32_t s : edges_.segments_of(edge)) surface_.choose(s);
   for (const std::int32_t slave : edges_.edges()[edge].slave) {
-    set_mark(listed_slave_[slave]);
+    list_slave(slave);
     read_around(slave);
   }
 }
@@ -160,14 +166,14 @@ void FaceAlgorithm<S>::choose_edge(std::int32_t edge) {
 template <class S>
 void FaceAlgorithm<S>::choose_node(std::int32_t slave) {
   surface_.choose_around(slave);
-  set_mark(listed_slave_[slave]);
+  list_slave(slave);
   read_around(slave);
 }
 
 template <class S>
 void FaceAlgorithm<S>::choose_face(std::int32_t segment) {
   surface_.choose(segment);
-  for (const std::int32_t slave : surface_.slaves_of(segment)) set_mark(listed_slave_[slave]);
+  for (const std::int32_t slave : surface_.slaves_of(segment)) list_slave(slave);
   read_corners(segment);
 }
 
@@ -197,11 +203,20 @@ void FaceAlgorithm<S>::choose_listed() {
   for_each_new(lists_.nodes().first, [this](std::int32_t slave) { choose_node(slave); });
   for_each_new(lists_.edges().first, [this](std::int32_t edge) { choose_edge(edge); });
   for_each_new(lists_.edges().second, [this](std::int32_t edge) { choose_edge(edge); });
+  list_where("listed nodes", std::ssize(listed_slave_), listed_nodes_,
+             [this](std::int64_t slave) { return listed_slave_[slave] != 0; });
+  const std::int64_t count = std::ssize(listed_nodes_);
+  for_all_of("nodes of slaves", count, count, [this](std::int64_t i) {
+    std::int32_t& number = listed_nodes_[i];
+    number = surface_.slaves()[number].node;
+  });
   finish_choice();
 }
 
+/// By the calling thread.
 template <class S>
 void FaceAlgorithm<S>::choose_more() {
+  adds_to_choice_ = true;
   lists_.more_nodes().for_each([this](std::int32_t slave, std::int32_t segment) {
     choose_face(segment);
     choose_node(slave);
@@ -210,19 +225,13 @@ void FaceAlgorithm<S>::choose_more() {
     choose_edge(e);
     choose_edge(f);
   });
+  adds_to_choice_ = false;
   finish_choice();
 }
 
 template <class S>
 void FaceAlgorithm<S>::finish_choice() {
   surface_.finish_choice();
-  list_where("listed nodes", std::ssize(listed_slave_), listed_nodes_,
-             [this](std::int64_t slave) { return listed_slave_[slave] != 0; });
-  const std::int64_t count = std::ssize(listed_nodes_);
-  for_all_of("nodes of slaves", count, count, [this](std::int64_t i) {
-    std::int32_t& number = listed_nodes_[i];
-    number = surface_.slaves()[number].node;
-  });
   if (kernels_) list_read_nodes();
 }
 

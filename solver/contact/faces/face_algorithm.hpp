@@ -66,6 +66,8 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   void choose_node(std::int32_t slave);
   void choose_face(std::int32_t segment);
   void finish_choice();
+  /// Notes that the motion of a slave decides what touches; choose_more() adds it to the list of such nodes.
+  void list_slave(std::int32_t slave);
   /// Notes that the motion of the corners of a segment is read, or of those around a slave.
   void read_corners(std::int32_t segment);
   void read_around(std::int32_t slave);
@@ -84,6 +86,7 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   std::vector<std::int32_t> no_springs_;
   std::vector<std::int32_t> listed_nodes_;      ///< of the store: all whose motion decides what touches
   std::vector<std::uint8_t> listed_slave_;      ///< per slave: among these
+  bool adds_to_choice_ = false;                 ///< in choose_more()
   std::unique_ptr<PinballKernels<S>> kernels_;  ///< that look for nodes that stray; null: the host does
   bool kernels_outdated_ = true;                ///< others are expected elsewhere than these know
   // Only with kernels.
