@@ -211,6 +211,9 @@ void AbaqusData::read_amplitude(const AbaqusBlock& block) {
 
 namespace {
 
+/// Of a time: over how much of it before that what begins or ends at once does so.
+constexpr double leap = 1e-9;
+
 double factor_at(const AbaqusCurve& curve, double time) {
   const auto after = std::ranges::upper_bound(curve.times, time) - curve.times.begin();
   if (after == 0) return curve.factors.front();
@@ -232,7 +235,36 @@ void hold_from(double time, AbaqusCurve& curve) {
   curve.factors.push_back(factor);
 }
 
+/// Before a time the factor is 0.
+void begin_at(double time, AbaqusCurve& curve) {
+  const double factor = factor_at(curve, time);
+  const auto after = std::ranges::upper_bound(curve.times, time) - curve.times.begin();
+  curve.times.erase(curve.times.begin(), curve.times.begin() + after);
+  curve.factors.erase(curve.factors.begin(), curve.factors.begin() + after);
+  curve.times.insert(curve.times.begin(), {time * (1 - leap), time});
+  curve.factors.insert(curve.factors.begin(), {0.0, factor});
+}
+
+/// From a time on the factor is 0.
+void end_at(double time, AbaqusCurve& curve) {
+  hold_from(time * (1 - leap), curve);
+  if (curve.times.back() < time * (1 - leap)) {
+    curve.factors.push_back(curve.factors.back());
+    curve.times.push_back(time * (1 - leap));
+  }
+  curve.times.push_back(time);
+  curve.factors.push_back(0.0);
+}
+
 }  // namespace
+
+AbaqusCurve within(AbaqusCurve curve, double start, std::optional<double> end) {
+  if (!(start > 0) && !end) return curve;
+  if (curve.times.empty()) curve = {{start}, {1.0}};
+  if (start > 0) begin_at(start, curve);
+  if (end) end_at(*end, curve);
+  return curve;
+}
 
 AbaqusCurve AbaqusData::curve(const AbaqusBlock& block) const {
   const AbaqusStep& step = step_of(block);

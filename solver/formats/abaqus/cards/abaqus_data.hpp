@@ -166,6 +166,10 @@ class AbaqusData {
   DeckDefinitions<std::string> definitions_;
 };
 
+/// A factor that is that of the curve between these times alone, for loads: it comes and goes within 1e-9 of them.
+/// start <= 0: from the beginning; no end: to that of the run.
+AbaqusCurve within(AbaqusCurve curve, double start, std::optional<double> end);
+
 /// All numbers of a data line, which may be more than it has fields by names. Throws InputError for what is none.
 std::vector<double> numbers_of(const AbaqusBlock& block, const DataLine& card);
 

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <solver/base/counted.hpp>
 #include <solver/mesh/file/split_ten_nodes.hpp>
@@ -42,36 +46,13 @@ class RepeatedLoads {
 };
 
 /// Without the nodes that hexahedra of twenty nodes have got: a force on each node is one of the nodes of the deck.
-void set_given_nodes(const AbaqusData& data, const AbaqusNodes& nodes, const DeckKeys<NodeSelection>& keys) {
-  const auto is_new = [&](std::int32_t node) { return static_cast<std::size_t>(node) >= data.mesh.given_nodes; };
-  if (std::ranges::none_of(nodes.members, is_new)) return set_nodes(nodes, keys);
+std::vector<std::int64_t> given_numbers(const AbaqusData& data, const std::vector<std::int32_t>& nodes) {
   std::vector<std::int64_t> numbers;
-  for (const std::int32_t node : nodes.members) {
-    if (!is_new(node) && data.used[node]) numbers.push_back(data.mesh.file.node_ids[node]);
+  for (const std::int32_t node : nodes) {
+    const std::size_t at = node;
+    if (at < data.mesh.given_nodes && data.used[at]) numbers.push_back(data.mesh.file.node_ids[at]);
   }
-  keys.set("nodes", numbers);
-}
-
-void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
-                 DeckScene& scene) {
-  const DataFields f(card);
-  const std::int64_t degree = f.integer(1, "degree of freedom");
-  const AbaqusNodes nodes = data.nodes(f.text(0), card.place);
-  if (data.has_reference(nodes))
-    return data.report.reject(card.place, "*CLOAD of the reference node of a rigid body",
-                              "give it to nodes of its elements");
-  if (!is_translation(data, block, card.place, degree)) return;
-  const double magnitude = f.number(2, "magnitude", 0.0);
-  const AbaqusCurve curve = data.curve(block);
-  Point force{};
-  force[degree - 1] = curve.times.empty() ? magnitude : 1.0;
-  const auto keys = scene.entry<NodalLoad>("load", card_of(block, card.place));
-  keys.set("force", force);
-  keys.set("each", true);
-  set_curve(curve, magnitude, keys);
-  set_given_nodes(data, nodes, keys);
-  for (const std::int32_t node : nodes.members)
-    loads.add(fmt::format("that of node {} along {}", data.mesh.file.node_ids[node], "xyz"[degree - 1]));
+  return numbers;
 }
 
 /// Per node of the mesh: whether one of these bodies has it, or a rigid body with one of these has its reference there.
@@ -111,35 +92,6 @@ std::pair<std::string, std::string> undone_weight(const AbaqusData& data, const 
   return {};
 }
 
-/// Magnitude and direction of an acceleration.
-void write_gravity(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
-                   DeckScene& scene) {
-  const DataFields f(card);
-  const std::vector<std::string> bodies = data.whole_bodies(f.text(0), card.place);
-  if (const auto [what, advice] = undone_weight(data, f.text(0), bodies, card.place); !what.empty())
-    return data.report.reject(card.place, what, advice);
-  Point direction{f.number(3, "direction", 0.0), f.number(4, "direction", 0.0), f.number(5, "direction", 0.0)};
-  const double length = norm(direction), magnitude = f.number(2, "magnitude", 0.0);
-  if (!(length > 0)) fail_at(card.place, "*DLOAD, GRAV: expected a direction");
-  const AbaqusCurve curve = data.curve(block);
-  for (double& component : direction) component *= (curve.times.empty() ? magnitude : 1.0) / length;
-  const auto keys = scene.entry<Gravity>("gravity", card_of(block, card.place));
-  keys.set("acceleration", direction);
-  for (const std::string& body : bodies)
-    loads.add(fmt::format("GRAV of {} along {} {} {}", body, f.text(3), f.text(4), f.text(5)));
-  if (bodies.size() != data.bodies.size()) keys.set("bodies", bodies);
-  set_curve(curve, magnitude, keys);
-}
-
-DeckKeys<Pressure> begin_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
-  const double magnitude = DataFields(card).number(2, "magnitude", 0.0);
-  const AbaqusCurve curve = data.curve(block);
-  auto keys = scene.entry<Pressure>("pressure", card_of(block, card.place));
-  keys.set("pressure", curve.times.empty() ? magnitude : 1.0);
-  set_curve(curve, magnitude, keys);
-  return keys;
-}
-
 /// Elements to press on by the numbers of their faces: of the eight of an element of ten or twenty nodes one, that
 /// element between its corners.
 std::vector<std::pair<std::int32_t, Corners8>> whole_elements(const MeshFile& file,
@@ -153,59 +105,235 @@ std::vector<std::pair<std::int32_t, Corners8>> whole_elements(const MeshFile& fi
   return whole;
 }
 
-/// P1 to P6: on the faces of elements that have these numbers.
-void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, int number,
-                         RepeatedLoads& loads, DeckScene& scene) {
-  const MeshFile& file = data.mesh.file;
-  std::vector<std::vector<std::int64_t>> faces;
-  const std::vector<std::int32_t> elements = data.elements(DataFields(card).text(0), card.place);
-  for (const auto& [e, corners] : whole_elements(file, elements)) {
-    const int face = abaqus_face(corners, given_shape(data.mesh.types, e), number);
-    if (face < 0) fail_at(card.place, fmt::format("*DLOAD: this element has no face P{}", number));
-    if (!is_face(corners_of_face(corners, face))) continue;
-    loads.add(fmt::format("P{} of element {}", number, file.element_ids[e]));
-    for (const auto& one : data.middles.pieces_of(corners_of_face(corners, face))) {
-      faces.emplace_back();
-      for (const std::int32_t node : one) faces.back().push_back(file.node_ids[node]);
+/// Loads of all steps: a line of a card each, from its step on, until a later one says otherwise of what it acts on.
+class Loads {
+ public:
+  Loads(AbaqusData& data, DeckScene& scene) : data_(data), scene_(scene) {}
+
+  void translate() {
+    for (int step = 0; step <= std::ssize(data_.steps); ++step) read_step(step);
+    for (const Line& line : lines_) {
+      if (!line.members.empty() && !only_ends(line)) line.write(line);
     }
   }
-  if (faces.empty() && !elements.empty())
-    return data.report.unused(card.place, fmt::format("*DLOAD: P{}", number), "nodes that are the same leave no face");
-  begin_pressure(data, block, card, scene).set("faces", faces);
-}
 
-void write_surface_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
-                            DeckScene& scene) {
-  const auto keys = begin_pressure(data, block, card, scene);
-  const std::string surface = data.faces(DataFields(card).text(0), card.place);
-  keys.set("set", surface);
-  loads.add("P of surface " + surface);
-}
+ private:
+  struct Line {
+    const AbaqusBlock* block;
+    DeckPlace place;
+    double magnitude;
+    std::vector<std::string> things;   ///< what it acts on, in words that no other has
+    std::vector<std::size_t> members;  ///< places of those in things that it still is of
+    std::optional<double> end;         ///< when a later step says otherwise of them
+    std::function<void(const Line&)> write;
+  };
 
-void write_distributed(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
-                       DeckScene& scene) {
-  const std::string kind = squeezed(DataFields(card).text(1));
-  if (kind == "GRAV") {
-    write_gravity(data, block, card, loads, scene);
-  } else if (kind.size() == 2) {
-    write_face_pressure(data, block, card, kind[1] - '0', loads, scene);
-  } else {
-    write_surface_pressure(data, block, card, loads, scene);
+  /// A magnitude of 0 in a later step: of that which it ends.
+  bool only_ends(const Line& line) const {
+    return line.block->step > 1 && line.magnitude == 0 && !data_.curve(*line.block).absolute;
   }
-}
+
+  static bool is_load(const AbaqusBlock& block) {
+    return block.name == "CLOAD" || block.name == "DLOAD" || block.name == "DSLOAD";
+  }
+
+  /// Step 0: what stands outside of all, and is refused.
+  void read_step(int step) {
+    const std::size_t before = lines_.size();
+    RepeatedLoads repeated(data_.report);
+    for (const AbaqusBlock& block : data_.deck.blocks) {
+      if (block.step != step || !is_load(block)) continue;
+      if (step > 1 && block.option("OP") == "NEW") end_all(block, before);
+      DataLines lines(block);
+      while (const auto card = lines.next()) {
+        (this->*(block.name == "CLOAD" ? &Loads::read_force : &Loads::read_distributed))(block, *card, repeated);
+        repeated.end_of_card(card->place, block.star_name());
+      }
+    }
+    if (step > 1) replace(before, step);
+  }
+
+  /// OP=NEW: loads of the same keyword in the steps before, the first `count` lines, end.
+  void end_all(const AbaqusBlock& renewing, std::size_t count) {
+    const AbaqusBlock* last = nullptr;
+    for (std::size_t i = 0; i < count; ++i) {
+      Line& line = lines_[i];
+      if (line.end || line.block->name != renewing.name) continue;
+      line.end = data_.step_of(renewing).start;
+      if (line.block != last)
+        data_.report.understood(fmt::format("{} ({}): ends where the step begins (OP=NEW)", line.block->star_name(),
+                                            line.block->place.text()));
+      last = line.block;
+    }
+  }
+
+  /// What lines from `first` on, which are of one step, act on counts from it on: lines before end there.
+  void replace(std::size_t first, int step) {
+    std::set<std::string> renewed;
+    for (std::size_t i = first; i < lines_.size(); ++i)
+      renewed.insert(lines_[i].things.begin(), lines_[i].things.end());
+    const double start = data_.steps[step - 1].start;
+    for (std::size_t i = 0; i < first; ++i) {
+      if (lines_[i].end) continue;
+      Line ended = lines_[i];
+      const auto is_renewed = [&](std::size_t member) { return renewed.contains(ended.things[member]); };
+      std::erase_if(ended.members, std::not_fn(is_renewed));
+      if (ended.members.empty()) continue;
+      std::erase_if(lines_[i].members, is_renewed);
+      ended.end = start;
+      if (lines_[i].members.empty()) {
+        lines_[i] = std::move(ended);
+      } else {
+        lines_.push_back(std::move(ended));
+      }
+    }
+  }
+
+  void add(const AbaqusBlock& block, const DataFields& f, std::vector<std::string> things,
+           std::function<void(const Line&)> write) {
+    std::vector<std::size_t> members(things.size());
+    std::iota(members.begin(), members.end(), std::size_t{0});
+    lines_.push_back({&block,
+                      f.place(),
+                      f.number(2, "magnitude", 0.0),
+                      std::move(things),
+                      std::move(members),
+                      {},
+                      std::move(write)});
+  }
+
+  AbaqusCurve curve_of(const Line& line) const {
+    return within(data_.curve(*line.block), line.block->step > 1 ? data_.step_of(*line.block).start : 0.0, line.end);
+  }
+
+  void read_force(const AbaqusBlock& block, const DataLine& card, RepeatedLoads& repeated) {
+    const DataFields f(card);
+    const std::int64_t degree = f.integer(1, "degree of freedom");
+    const AbaqusNodes nodes = data_.nodes(f.text(0), card.place);
+    if (data_.has_reference(nodes))
+      return data_.report.reject(card.place, "*CLOAD of the reference node of a rigid body",
+                                 "give it to nodes of its elements");
+    if (!is_translation(data_, block, card.place, degree)) return;
+    std::vector<std::string> things;
+    for (const std::int32_t node : nodes.members) {
+      things.push_back(fmt::format("that of node {} along {}", data_.mesh.file.node_ids[node], "xyz"[degree - 1]));
+      repeated.add(things.back());
+    }
+    add(block, f, std::move(things), [this, nodes, degree](const Line& line) { write_force(line, nodes, degree); });
+  }
+
+  void write_force(const Line& line, const AbaqusNodes& nodes, std::int64_t degree) {
+    AbaqusNodes some = nodes;
+    if (line.members.size() != line.things.size()) {
+      some.set.clear();
+      some.members.clear();
+      for (const std::size_t member : line.members) some.members.push_back(nodes.members[member]);
+    }
+    const std::vector<std::int64_t> numbers = given_numbers(data_, some.members);
+    const bool is_part = line.members.size() != line.things.size() || std::ranges::any_of(some.members, [&](auto node) {
+                           return static_cast<std::size_t>(node) >= data_.mesh.given_nodes;
+                         });
+    if (is_part && numbers.empty()) return;
+    const AbaqusCurve curve = curve_of(line);
+    Point force{};
+    force[degree - 1] = curve.times.empty() ? line.magnitude : 1.0;
+    const auto keys = scene_.entry<NodalLoad>("load", card_of(*line.block, line.place));
+    keys.set("force", force);
+    keys.set("each", true);
+    set_curve(curve, line.magnitude, keys);
+    if (is_part) {
+      keys.set("nodes", numbers);
+    } else {
+      set_nodes(some, keys);
+    }
+  }
+
+  void read_distributed(const AbaqusBlock& block, const DataLine& card, RepeatedLoads& repeated) {
+    const DataFields f(card);
+    const std::string kind = squeezed(f.text(1));
+    if (kind == "GRAV") {
+      read_gravity(block, f, repeated);
+    } else if (kind.size() == 2) {
+      read_face_pressure(block, f, kind[1] - '0', repeated);
+    } else {
+      const std::string surface = data_.faces(f.text(0), card.place), thing = "P of surface " + surface;
+      repeated.add(thing);
+      add(block, f, {thing}, [this, surface](const Line& line) { begin_pressure(line).set("set", surface); });
+    }
+  }
+
+  /// Magnitude and direction of an acceleration: a later one of the same bodies may have another direction.
+  void read_gravity(const AbaqusBlock& block, const DataFields& f, RepeatedLoads& repeated) {
+    const std::vector<std::string> bodies = data_.whole_bodies(f.text(0), f.place());
+    if (const auto [what, advice] = undone_weight(data_, f.text(0), bodies, f.place()); !what.empty())
+      return data_.report.reject(f.place(), what, advice);
+    Point direction{f.number(3, "direction", 0.0), f.number(4, "direction", 0.0), f.number(5, "direction", 0.0)};
+    const double length = norm(direction);
+    if (!(length > 0)) fail_at(f.place(), "*DLOAD, GRAV: expected a direction");
+    for (double& component : direction) component /= length;
+    std::vector<std::string> things;
+    for (const std::string& body : bodies) {
+      things.push_back("GRAV of " + body);
+      repeated.add(fmt::format("GRAV of {} along {} {} {}", body, f.text(3), f.text(4), f.text(5)));
+    }
+    add(block, f, std::move(things),
+        [this, bodies, direction](const Line& line) { write_gravity(line, bodies, direction); });
+  }
+
+  void write_gravity(const Line& line, const std::vector<std::string>& bodies, Point direction) {
+    const AbaqusCurve curve = curve_of(line);
+    for (double& component : direction) component *= curve.times.empty() ? line.magnitude : 1.0;
+    const auto keys = scene_.entry<Gravity>("gravity", card_of(*line.block, line.place));
+    keys.set("acceleration", direction);
+    std::vector<std::string> some;
+    for (const std::size_t member : line.members) some.push_back(bodies[member]);
+    if (some.size() != data_.bodies.size()) keys.set("bodies", some);
+    set_curve(curve, line.magnitude, keys);
+  }
+
+  DeckKeys<Pressure> begin_pressure(const Line& line) {
+    const AbaqusCurve curve = curve_of(line);
+    auto keys = scene_.entry<Pressure>("pressure", card_of(*line.block, line.place));
+    keys.set("pressure", curve.times.empty() ? line.magnitude : 1.0);
+    set_curve(curve, line.magnitude, keys);
+    return keys;
+  }
+
+  /// P1 to P6: on the faces of elements that have these numbers.
+  void read_face_pressure(const AbaqusBlock& block, const DataFields& f, int number, RepeatedLoads& repeated) {
+    const MeshFile& file = data_.mesh.file;
+    std::vector<std::string> things;
+    std::vector<std::vector<std::vector<std::int64_t>>> faces;  // of each thing, of several where it is split
+    const std::vector<std::int32_t> elements = data_.elements(f.text(0), f.place());
+    for (const auto& [e, corners] : whole_elements(file, elements)) {
+      const int face = abaqus_face(corners, given_shape(data_.mesh.types, e), number);
+      if (face < 0) fail_at(f.place(), fmt::format("*DLOAD: this element has no face P{}", number));
+      if (!is_face(corners_of_face(corners, face))) continue;
+      things.push_back(fmt::format("P{} of element {}", number, file.element_ids[e]));
+      repeated.add(things.back());
+      faces.emplace_back();
+      for (const auto& one : data_.middles.pieces_of(corners_of_face(corners, face))) {
+        faces.back().emplace_back();
+        for (const std::int32_t node : one) faces.back().back().push_back(file.node_ids[node]);
+      }
+    }
+    if (faces.empty() && !elements.empty())
+      return data_.report.unused(f.place(), fmt::format("*DLOAD: P{}", number),
+                                 "nodes that are the same leave no face");
+    add(block, f, std::move(things), [this, faces = std::move(faces)](const Line& line) {
+      std::vector<std::vector<std::int64_t>> all;
+      for (const std::size_t member : line.members) all.insert(all.end(), faces[member].begin(), faces[member].end());
+      begin_pressure(line).set("faces", all);
+    });
+  }
+
+  AbaqusData& data_;
+  DeckScene& scene_;
+  std::vector<Line> lines_;
+};
 
 }  // namespace
 
-void translate_abaqus_loads(AbaqusData& data, DeckScene& scene) {
-  RepeatedLoads loads(data.report);
-  for (const AbaqusBlock& block : data.deck.blocks) {
-    if (block.name != "CLOAD" && block.name != "DLOAD" && block.name != "DSLOAD") continue;
-    DataLines lines(block);
-    while (const auto card = lines.next()) {
-      (block.name == "CLOAD" ? write_force : write_distributed)(data, block, *card, loads, scene);
-      loads.end_of_card(card->place, block.star_name());
-    }
-  }
-}
+void translate_abaqus_loads(AbaqusData& data, DeckScene& scene) { Loads(data, scene).translate(); }
 
 }  // namespace pinball

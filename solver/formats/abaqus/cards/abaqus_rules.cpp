@@ -74,7 +74,7 @@ const std::vector<AbaqusRule>& abaqus_rules() {
        "BEGIN INPUT"},
       {"INITIAL CONDITIONS", done, "TYPE=VELOCITY; TYPE=TEMPERATURE, the same for all nodes of a material",
        "TYPE=VELOCITY|TEMPERATURE"},
-      {"STEP", done, "one after the other; in those behind the first BOUNDARY and output alone",
+      {"STEP", done, "one after the other; in those behind the first BOUNDARY, CLOAD, DLOAD, DSLOAD and output alone",
        "NAME NLGEOM=YES| AMPLITUDE=STEP|RAMP INC"},
       {"END STEP", done, ""},
       {"DYNAMIC", done, "EXPLICIT, with its period and SCALE FACTOR",
@@ -196,8 +196,9 @@ bool is_known(const AbaqusRule& rule, const std::string& name, const std::string
 
 /// What may stand in a step behind the first: what else a step changes would need a beginning in the scene.
 bool may_come_later(const std::string& name) {
-  static const std::set<std::string> names{"STEP",   "ENDSTEP",    "DYNAMIC",       "BULKVISCOSITY", "BOUNDARY",
-                                           "OUTPUT", "NODEOUTPUT", "ELEMENTOUTPUT", "ENERGYOUTPUT",  "AMPLITUDE"};
+  static const std::set<std::string> names{"STEP",          "ENDSTEP",      "DYNAMIC",  "BULKVISCOSITY", "BOUNDARY",
+                                           "CLOAD",         "DLOAD",        "DSLOAD",   "OUTPUT",        "NODEOUTPUT",
+                                           "ELEMENTOUTPUT", "ENERGYOUTPUT", "AMPLITUDE"};
   return names.contains(name);
 }
 
