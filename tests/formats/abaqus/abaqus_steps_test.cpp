@@ -75,6 +75,18 @@ TEST_F(AbaqusSteps, MayReplaceWhatIsSaidOfSomeOfItsNodes) {
   EXPECT_THAT(one.fixed_constraints, IsEmpty()) << "what is before the step, too";
 }
 
+TEST_F(AbaqusSteps, MayGoOnBringingNodesElsewhere) {
+  const Scene s = steps("*AMPLITUDE, NAME=a\n0., 0., 1e-6, 1.\n", "*BOUNDARY, AMPLITUDE=a\ntop, 3, 3, 5.\n",
+                        "*BOUNDARY, AMPLITUDE=a\ntop, 3, 3, -2.\n");
+  ASSERT_EQ(s.prescribed_velocities.size(), 2u);
+  const PrescribedVelocity &first = s.prescribed_velocities[1], &second = s.prescribed_velocities[0];
+  EXPECT_EQ(first.when.end, 1e-6);
+  EXPECT_EQ(second.quantity, MotionQuantity::displacement);
+  EXPECT_EQ(second.when.start, 1e-6);
+  EXPECT_THAT(second.table.times, ElementsAre(1e-6, DoubleEq(2e-6)));
+  EXPECT_THAT(second.table.factors, ElementsAre(0, -2));
+}
+
 /// They come and go within 1e-9 of the time of a step.
 TEST_F(AbaqusSteps, MayLoadAnewAndOtherwise) {
   const auto near = [](double time) { return testing::DoubleNear(time, 2e-15); };
@@ -154,8 +166,8 @@ TEST_F(AbaqusSteps, MayNotChangeWhatHasNoBeginning) {
     return error(deck("*AMPLITUDE, NAME=a\n0., 0., 1., 1.\n", first, second));
   };
   EXPECT_THAT(message("", "*CONTACT\n"), HasSubstr("*CONTACT in a step behind the first"));
-  EXPECT_THAT(message("", "*BOUNDARY, AMPLITUDE=a\ntop, 1, 1, 1.\n"),
-              HasSubstr("a later step may give velocities alone"));
+  EXPECT_THAT(message("", "*BOUNDARY, TYPE=ACCELERATION, AMPLITUDE=a\ntop, 1, 1, 1.\n"),
+              HasSubstr("a later step gives no accelerations"));
   EXPECT_THAT(message("*BULK VISCOSITY\n0.06, 1.2\n", "*BULK VISCOSITY\n0.1, 1.2\n"),
               HasSubstr("*BULK VISCOSITY that is another one than before (deck.inp:34)"));
   EXPECT_THAT(message("", "*BULK VISCOSITY\n0.1, 1.2\n"),

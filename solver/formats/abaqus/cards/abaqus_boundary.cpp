@@ -170,7 +170,7 @@ class Boundary {
     const std::string quantity = quantity_of(line);
     std::string rejected;
     if (line.block->step == 0) rejected = "*BOUNDARY that moves nodes before the step";
-    if (line.block->step > 1 && quantity != "velocity") rejected = "*BOUNDARY: a later step may give velocities alone";
+    if (line.block->step > 1 && quantity == "acceleration") rejected = "*BOUNDARY: a later step gives no accelerations";
     if (quantity == "displacement" && line.curve.times.empty())
       rejected = "*BOUNDARY: a displacement at once, without AMPLITUDE";
     if (!rejected.empty()) data_.report.reject(line.place, rejected);
