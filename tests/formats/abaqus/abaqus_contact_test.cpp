@@ -95,6 +95,8 @@ TEST_F(AbaqusContact, IsMasslessNowhere) {
 TEST_F(AbaqusContact, OutputOfItIsIgnored) {
   EXPECT_THAT(translate(cubes + abaqus_step("*CONTACT PRINT, MASTER=a, SLAVE=b\nCF\n*CONTACT FILE\nCDIS\n")).ignored,
               ElementsAre(HasSubstr("*CONTACT PRINT"), HasSubstr("*CONTACT FILE")));
+  EXPECT_THAT(translate(cubes + abaqus_step("*SECTION PRINT, SURFACE=a, NAME=s\nSOF\n*SECTION FILE\nSOF\n")).ignored,
+              ElementsAre(HasSubstr("*SECTION PRINT"), HasSubstr("*SECTION FILE")));
 }
 
 TEST_F(AbaqusContact, IsGeneral) {

@@ -130,6 +130,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"ENERGY FILE", ignored, "output of another program"},
       {"CONTACT PRINT", ignored, "output of another program"},
       {"CONTACT FILE", ignored, "output of another program"},
+      {"SECTION PRINT", ignored, "output of another program"},
+      {"SECTION FILE", ignored, "output of another program"},
       {"FILE OUTPUT", ignored, "output of another program"},
       {"FILE FORMAT", ignored, "output of another program"},
       {"FILTER", ignored, "output of another program"},
