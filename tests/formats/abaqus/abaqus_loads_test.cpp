@@ -88,6 +88,22 @@ TEST_F(AbaqusLoads, OfKindsThatAreNotReadAreRefused) {
         << kind;
 }
 
+TEST_F(AbaqusLoads, NodesMayBeginWithASpin) {
+  const std::string model = abaqus_cube + abaqus_steel,
+                    spin = "*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY, DEFINITION=COORDINATES\ntop, 3., 1., 2.\n";
+  const Scene s = scene(model + spin + "0.5, 0.25, 0., 0.5, 0.25, 2.\n" + abaqus_step());
+  ASSERT_EQ(s.initial_velocities.size(), 1U);
+  EXPECT_EQ(s.initial_velocities[0].nodes.set, "top");
+  EXPECT_EQ(s.initial_velocities[0].velocity, (Point{1, 2, 0}));
+  EXPECT_EQ(s.initial_velocities[0].angular_velocity, (Point{0, 0, 3}));
+  EXPECT_EQ(s.initial_velocities[0].centre, (Point{0.5, 0.25, 0}));
+  EXPECT_THAT(error(model + spin + "0.5, 0.25, 0., 0.5, 0.25, 0.\n" + abaqus_step()),
+              HasSubstr("expected two points of the axis"));
+  EXPECT_THAT(error(model + "*INITIAL CONDITIONS, TYPE=VELOCITY\n5, 1, 1.\n" + spin + "0., 0., 0., 0., 0., 2.\n" +
+                    abaqus_step()),
+              HasSubstr("TYPE=ROTATING VELOCITY of nodes with another velocity (deck.inp:"));
+}
+
 TEST_F(AbaqusLoads, InitialVelocitiesThatLaterLinesReplaceAreReported) {
   const auto lines = [&](const std::string& velocities) {
     return translate(abaqus_cube + abaqus_steel + "*INITIAL CONDITIONS, TYPE=VELOCITY\n" + velocities + abaqus_step())

@@ -76,6 +76,15 @@ TEST_F(AbaqusRigid, BeginsWithTheVelocityOfItsReferenceNode) {
               HasSubstr("*INITIAL CONDITIONS of nodes of a rigid body"));
 }
 
+TEST_F(AbaqusRigid, MayBeginWithASpinAboutAnyAxis) {
+  const std::string spin = "*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY\n22, 2., 3.\n0.5, 0.5, 0., 0.5, 0.5, 1.\n";
+  const RigidBody body = body_of(beside + spin + abaqus_step());
+  EXPECT_NEAR(norm(minus(body.velocity.value(), {3, 0, 0})), 0, 1e-12) << "the axis is through its centre";
+  EXPECT_EQ(body.angular_velocity.value(), (Point{0, 0, 2}));
+  EXPECT_THAT(error(beside + spin + "*INITIAL CONDITIONS, TYPE=VELOCITY\n22, 1, 3.\n" + abaqus_step()),
+              HasSubstr("TYPE=ROTATING VELOCITY of nodes with another velocity"));
+}
+
 TEST_F(AbaqusRigid, IsRefusedWhereItTurnsAboutAnotherPoint) {
   const auto with = [&](const std::string& line) {
     return error(beside + "*BOUNDARY\n22, " + line + "\n" + abaqus_step());

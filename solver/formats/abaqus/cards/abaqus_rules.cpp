@@ -72,8 +72,9 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"AMPLITUDE", done, "TABULAR, EQUALLY SPACED; SMOOTH STEP as 64 straight pieces",
        "NAME DEFINITION=TABULAR|SMOOTHSTEP|EQUALLYSPACED TIME=STEPTIME|TOTALTIME VALUE=RELATIVE|ABSOLUTE FIXEDINTERVAL "
        "BEGIN INPUT"},
-      {"INITIAL CONDITIONS", done, "TYPE=VELOCITY; TYPE=TEMPERATURE, the same for all nodes of a material",
-       "TYPE=VELOCITY|TEMPERATURE"},
+      {"INITIAL CONDITIONS", done,
+       "TYPE=VELOCITY; TYPE=ROTATING VELOCITY; TYPE=TEMPERATURE, the same for all nodes of a material",
+       "TYPE=VELOCITY|ROTATINGVELOCITY|TEMPERATURE DEFINITION=COORDINATES"},
       {"STEP", done, "one after the other; in those behind the first BOUNDARY, CLOAD, DLOAD, DSLOAD and output alone",
        "NAME NLGEOM=YES| AMPLITUDE=STEP|RAMP INC"},
       {"END STEP", done, ""},

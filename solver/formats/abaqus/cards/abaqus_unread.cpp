@@ -14,7 +14,7 @@ namespace {
 bool means_nothing(const AbaqusBlock& block, const std::string& parameter) {
   static const std::set<std::string> silent{"NAME", "INTERNAL", "UNSORTED", "INPUT", "CPSET", "EXPLICIT", "NLGEOM"};
   const bool has_one_type = block.name == "SURFACE" || block.name == "INITIALCONDITIONS";
-  return silent.contains(parameter) || (has_one_type && parameter == "TYPE");
+  return silent.contains(parameter) || (has_one_type && (parameter == "TYPE" || parameter == "DEFINITION"));
 }
 
 void tell_parameters(const AbaqusBlock& block, const ReadingLog& log, DeckReport& report) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "abaqus_parts.hpp"
 
@@ -98,6 +100,70 @@ bool has_element_nodes(const AbaqusData& data, const AbaqusNodes& nodes) {
   return std::ranges::any_of(nodes.members, [&](std::int32_t node) { return data.used[node]; });
 }
 
+/// A velocity and a spin about an axis from a point to another one: two lines of TYPE=ROTATING VELOCITY.
+struct Spin {
+  AbaqusNodes nodes;
+  DeckPlace place;
+  Point velocity{}, centre{}, angular_velocity{};
+};
+
+Spin read_spin(const AbaqusData& data, const DataLine& card, const DataLine& second) {
+  const DataFields f(card), axis(second);
+  Spin spin{data.nodes(f.text(0), card.place), card.place, {}, {}, {}};
+  for (int k = 0; k < 3; ++k) {
+    spin.velocity[k] = f.number(2 + k, "velocity", 0.0);
+    spin.centre[k] = axis.number(k, "first point", 0.0);
+    spin.angular_velocity[k] = axis.number(3 + k, "second point", 0.0) - spin.centre[k];
+  }
+  const double length = norm(spin.angular_velocity), omega = f.number(1, "angular velocity", 0.0);
+  if (!(length > 0) && omega != 0)
+    fail_at(axis.place(), "*INITIAL CONDITIONS: expected two points of the axis, got one");
+  for (double& component : spin.angular_velocity) component *= length > 0 ? omega / length : 0.0;
+  return spin;
+}
+
+/// Rigid bodies move by their reference nodes. Returns whether one of them has a velocity already.
+bool spin_rigid_bodies(AbaqusData& data, const Spin& spin) {
+  bool repeated = false;
+  for (const std::int32_t node : spin.nodes.members) {
+    AbaqusRigidBody* rigid = data.rigid_at(node);
+    if (rigid == nullptr) continue;
+    repeated |= rigid->velocity.has_value();
+    Point arm = data.mesh.file.mesh.nodes[node];
+    for (std::size_t k = 0; k < 3; ++k) arm[k] -= spin.centre[k];
+    rigid->velocity = cross(spin.angular_velocity, arm);
+    for (std::size_t k = 0; k < 3; ++k) (*rigid->velocity)[k] += spin.velocity[k];
+    rigid->angular_velocity = spin.angular_velocity;
+  }
+  return repeated;
+}
+
+/// taken: per node, whether a line of TYPE=VELOCITY or one before has it. What is of both is refused.
+void translate_spins(AbaqusData& data, std::vector<bool> taken, DeckScene& scene) {
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name != "INITIALCONDITIONS" || block.option("TYPE") != "ROTATINGVELOCITY") continue;
+    DataLines lines(block);
+    while (const auto card = lines.next()) {
+      const Spin spin = read_spin(data, *card, lines.require("two points of the axis"));
+      bool repeated = spin_rigid_bodies(data, spin);
+      require_references(data, {Moving{spin.nodes, spin.place, {}, {}}});
+      for (const std::int32_t node : spin.nodes.members) {
+        repeated |= taken[node];
+        taken[node] = true;
+      }
+      if (repeated) {
+        data.report.reject(spin.place, "*INITIAL CONDITIONS, TYPE=ROTATING VELOCITY of nodes with another velocity");
+      } else if (has_element_nodes(data, spin.nodes)) {
+        const auto keys = scene.entry<InitialVelocity>("initial_velocity", card_of(block, spin.place));
+        keys.set("velocity", spin.velocity);
+        keys.set("angular_velocity", spin.angular_velocity);
+        keys.set("centre", spin.centre);
+        set_nodes(spin.nodes, keys);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
@@ -105,7 +171,8 @@ void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
   std::map<std::string, std::size_t> known;
   const AbaqusBlock* last = nullptr;
   for (const AbaqusBlock& block : data.deck.blocks) {
-    if (block.name != "INITIALCONDITIONS" || block.option("TYPE") == "TEMPERATURE") continue;
+    const std::string type = block.option("TYPE");
+    if (block.name != "INITIALCONDITIONS" || type == "TEMPERATURE" || type == "ROTATINGVELOCITY") continue;
     last = &block;
     DataLines lines(block);
     while (const auto card = lines.next()) {
@@ -126,6 +193,11 @@ void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
     }
   }
   require_references(data, all);
+  std::vector<bool> taken(data.used.size(), false);
+  for (const Moving& one : all) {
+    for (const std::int32_t node : one.nodes.members) taken[node] = true;
+  }
+  translate_spins(data, std::move(taken), scene);
   const bool singles = std::ranges::any_of(all, [](const Moving& one) { return one.nodes.set.empty(); });
   if (singles || overlap(all, data.used.size())) {
     write_by_node(data, of_lines, *last, scene);
