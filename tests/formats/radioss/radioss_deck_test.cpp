@@ -96,13 +96,19 @@ TEST_F(RadiossTest, WrongValuesHaveTheirPlace) {
   EXPECT_THAT(error(cube_with("/RANDOM\n" + twenty({0.1}))), HasSubstr("/RANDOM with Xalea"));
 }
 
-/// Columns of the starter count what stands in them; between fields of the engine a tab is a blank.
-TEST_F(RadiossTest, TabsAreRefusedInColumnsAlone) {
+/// Columns of the starter count what stands in them, a tab as one, where words stay whole and each in a field of its
+/// own; between fields of the engine a tab is a blank.
+TEST_F(RadiossTest, TabsAreColumnsOrRefusedInColumnsAlone) {
   const std::string held = "/BCS/1\nb\n   111 000         0         5\n";
   for (const std::string keyword : {"/BRICK/1\n", "/NODE\n", "/GRNOD/NODE/5\ng\n"})
     EXPECT_THAT(error(cube_with(held + keyword + "\t11\t1\t2\t3\t4\t5\t6\t7\t8\n")),
                 HasSubstr("there is a tab in a card of columns"))
         << keyword;
+  const std::string group = "/GRNOD/NODE/5\ng\n";
+  EXPECT_EQ(error(cube_with(held + group + "\t1         2         3         4\n")), no_error)
+      << "columns 2, 12, 22, 32";
+  EXPECT_EQ(error(cube_with(held + group + "         1\t        2\n")), no_error) << "the tab is the eleventh";
+  EXPECT_THAT(error(cube_with(held + group + "\t1       12\n")), HasSubstr("there is a tab")) << "12 is cut in two";
   engine_ = radioss_run + "/DT/NODA/CST\n0.5\t1E-9\n";
   const TimeSettings time = scene(cube_with("")).time;
   EXPECT_EQ(time.cfl, 0.5);
