@@ -162,6 +162,23 @@ TEST_F(RadiossRigid, AForceOnAMainNodeActsAtTheCentre) {
   EXPECT_NEAR(norm(moment), 0, 1e-14);
 }
 
+/// They have no share of the force, and nothing is told of them as of nodes that would have one.
+TEST_F(RadiossRigid, AForceOnAMainNodeIsOfNodesOfSolids) {
+  const auto load_on = [this](const std::string& group) {
+    return scene(two_cubes(radioss_steel, "/NODE\n" + square_nodes(1, 0) + square_nodes(5, 1) + square_nodes(9, 1.5) +
+                                              square_nodes(13, 2.5) + ten({"98"}) + ten({"99"}) +
+                                              "/GRNOD/NODE/6\ntop\n" + group + "/GRNOD/NODE/8\nm\n" + ten({"99"}) +
+                                              body("99", 0, "6", "1") + "/FUNCT/5\nf\n" + twenty({0, 1}) +
+                                              twenty({1, 1}) + "/CLOAD/1\nl\n" + ten({"5", "Y", "0", "0", "8"})))
+        .loads.at(0);
+  };
+  EXPECT_EQ(load_on(ten({"13", "14", "15", "16"})).nodes.set, "6");
+  const NodalLoad load = load_on(ten({"13", "14", "15", "16", "98"}));
+  EXPECT_FALSE(load.each);
+  EXPECT_EQ(load.nodes.set, "");
+  EXPECT_THAT(load.nodes.nodes, ElementsAre(13, 14, 15, 16));
+}
+
 TEST_F(RadiossRigid, OfSeveralTurnsTheLastCounts) {
   const std::string more = "/GRNOD/PART/6\nupper\n" + ten({"2"}) + "/GRNOD/NODE/8\nm\n" + ten({"99"}) +
                            body("99", 0, "6", "1") + "/INIVEL/ROT/1\nx\n" +

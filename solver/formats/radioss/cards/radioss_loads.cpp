@@ -26,6 +26,17 @@ std::vector<std::int64_t> without_middles(const RadiossData& data, const MeshSet
   return numbers;
 }
 
+/// Nodes of the group of a rigid body without those of no solid, which have no share of a force on it; empty: it has
+/// none of these.
+std::vector<std::int64_t> without_unused(const RadiossData& data, const MeshSet& group) {
+  if (std::ranges::all_of(group.members, [&](std::int32_t node) { return data.used[node]; })) return {};
+  std::vector<std::int64_t> numbers;
+  for (const std::int32_t node : group.members) {
+    if (data.used[node]) numbers.push_back(data.mesh.node_ids[node]);
+  }
+  return numbers;
+}
+
 /// Forces on each node; those on a main node act on the centre of its body.
 void translate_force(RadiossData& data, const RadiossBlock& block, DeckScene& scene) {
   RadiossLines lines(block);
@@ -55,7 +66,8 @@ void translate_force(RadiossData& data, const RadiossBlock& block, DeckScene& sc
   const auto begin = [&](bool each, std::int64_t set) {
     const auto keys = add(direction);
     keys.set("each", each);
-    const std::vector<std::int64_t> given = each ? without_middles(data, group) : std::vector<std::int64_t>{};
+    const std::vector<std::int64_t> given =
+        each ? without_middles(data, group) : without_unused(data, data.node_group(set, line.place));
     if (!given.empty()) {
       keys.set("nodes", given, "grnod_ID");
     } else {
