@@ -91,6 +91,14 @@ TEST_F(AbaqusContact, IsMasslessNowhere) {
   EXPECT_EQ(read_scene(deck.source(path_)).contact_pairs.at(0).friction, 0.1);
 }
 
+/// Of faces as they are, it is the same where they slide little.
+TEST_F(AbaqusContact, SlidesAsFarAsItDoes) {
+  const TranslatedDeck deck =
+      translate(cubes + abaqus_step("*CONTACT PAIR, INTERACTION=p, SMALL SLIDING\nHigh.lower, Low.upper\n"));
+  EXPECT_THAT(deck.understood, Contains(HasSubstr("not used: *CONTACT PAIR, SMALLSLIDING")));
+  EXPECT_EQ(read_scene(deck.source(path_)).contact_pairs.size(), 1U);
+}
+
 /// Of CalculiX, too.
 TEST_F(AbaqusContact, OutputOfItIsIgnored) {
   EXPECT_THAT(translate(cubes + abaqus_step("*CONTACT PRINT, MASTER=a, SLAVE=b\nCF\n*CONTACT FILE\nCDIS\n")).ignored,

@@ -98,9 +98,9 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"CONTACT EXCLUSIONS", done, "of whole bodies, and of whole surfaces of inclusions; others are refused"},
       {"CONTACT PROPERTY ASSIGNMENT", done,
        "of all, or of surfaces that general contact includes; the last one counts"},
-      {"CONTACT PAIR", done, "of two surfaces, or of one with itself",
+      {"CONTACT PAIR", done, "of two surfaces, or of one with itself; they may slide as far as they do",
        "INTERACTION MECHANICALCONSTRAINT=KINEMATIC|PENALTY TYPE=SURFACETOSURFACE|NODETOSURFACE|MASSLESS CPSET WEIGHT "
-       "OP=ADD"},
+       "OP=ADD SMALLSLIDING"},
       {"TIE", done, "nodes of the first surface move with the faces of the second",
        "NAME ADJUST POSITIONTOLERANCE TYPE=SURFACETOSURFACE|NODETOSURFACE NOROTATION"},
       {"SURFACE INTERACTION", done, "", "NAME"},
