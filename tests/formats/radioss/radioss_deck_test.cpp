@@ -115,6 +115,11 @@ TEST_F(RadiossTest, TabsAreColumnsOrRefusedInColumnsAlone) {
   EXPECT_EQ(time.smallest_step, 1e-9);
 }
 
+TEST_F(RadiossTest, AccelerometersAreOutput) {
+  EXPECT_THAT(translate(cube_with("/ACCEL/7\na\n" + ten({"5", "0", "100"})), {}).ignored,
+              testing::Contains(HasSubstr("/ACCEL/7")));
+}
+
 TEST_F(RadiossTest, TheStepOfSolidsCountsBeforeThatOfAll) {
   engine_ = radioss_run + "/DT\n0.9 0\n/DT/BRICK/STOP\n0.5 0\n";
   EXPECT_EQ(scene(cube_with("")).time.cfl, 0.5);

@@ -112,6 +112,7 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"TH/BRIC", done, "a probe each, element_NUMBER"},
       {"TH/PART", done, "energies, momentum and mass of each body (`body_energies`)"},
       {"TH/*", ignored, "history.csv has energies, and forces of contact, walls and rigid bodies"},
+      {"ACCEL", ignored, "output, or of a SENSOR, which is refused"},
       {"RUN", done, "when the run ends"},
       {"DT", done, "Tsca; Tmin is not used"},
       {"DT/NODA", done, "the same: the step is that of elements"},
