@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include <solver/model/initial_overlap.hpp>
 #include <tests/support/solver_case.hpp>
@@ -209,6 +211,46 @@ TEST(InitialOverlaps, AreAdjusted) {
   const Scene small = scene_of({block("a", {2, 2, 2}, 1, {0, 0, 0}), block("b", {2, 2, 2}, 0.3, {0.2, 0.2, 1.9})}, 1);
   EXPECT_LE(way_of_adjustment(small, apart), 0.1 + 1e-9) << "nodes of one side alone";
   EXPECT_TRUE(apart);
+}
+
+/// Of a mesh that is turned, faces of wedges and tetrahedra that are collapsed to lines have areas of rounding.
+/// up: of unit length, what was z.
+ModelMesh turned_blocks(ElementShape shape, const Point& up) {
+  Scene scene = two_blocks({0.53, 0.47, 1.8});
+  for (Body& body : scene.bodies) body.elements = shape;
+  ModelMesh mesh = build_mesh(scene);
+  Point right{1, 0, 0};
+  make_orthogonal(right, {up});
+  const Point back = cross(up, right);
+  for (Point& x : mesh.nodes) {
+    Point turned{};
+    for (std::size_t k = 0; k < 3; ++k) turned[k] = x[0] * right[k] + x[1] * back[k] + x[2] * up[k];
+    x = turned;
+  }
+  return mesh;
+}
+
+TEST(InitialOverlaps, OfTetrahedraAreThoseOfHexahedraHoweverTheMeshLies) {
+  Scene scene = two_blocks({0, 0, 0});
+  scene.contact.overlap = ContactOverlap::adjust;
+  for (const Point& up : {Point{0, 0, 1}, Point{0.48, 0.6, 0.64}, Point{0.8, 0, 0.6}, Point{-0.36, 0.48, 0.8}}) {
+    const auto overlap_of = [&](ElementShape shape) {
+      const std::vector<InitialOverlap> found = find_initial_overlaps(scene, turned_blocks(shape, up));
+      return found.empty() ? InitialOverlap{} : found[0];
+    };
+    const InitialOverlap cut = overlap_of(ElementShape::tetrahedra), whole = overlap_of(ElementShape::hexahedra);
+    EXPECT_EQ(whole.nodes, 8);
+    EXPECT_EQ(cut.nodes, whole.nodes);
+    EXPECT_NEAR(cut.depth, 0.2, 1e-12);
+    const ModelMesh before = turned_blocks(ElementShape::tetrahedra, up);
+    ModelMesh mesh = before;
+    adjust_initial_overlaps(scene, {}, mesh);
+    EXPECT_TRUE(find_initial_overlaps(scene, mesh).empty());
+    const std::size_t moved =
+        mesh.nodes.size() - std::inner_product(mesh.nodes.begin(), mesh.nodes.end(), before.nodes.begin(),
+                                               std::size_t{0}, std::plus<>{}, std::equal_to<>{});
+    EXPECT_EQ(moved, 8U);
+  }
 }
 
 /// They never touch each other, also at the end, and keep their volumes.

@@ -47,9 +47,10 @@ double depth_in(const ModelMesh& mesh, std::size_t element, const Point& x) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& face : face_nodes) {
     const auto corner = [&](int i) -> const Point& { return mesh.corner(element, face[i]); };
-    const Point normal = cross(minus(corner(2), corner(0)), minus(corner(3), corner(1)));
-    const double length = std::hypot(normal[0], normal[1], normal[2]);
-    if (!(length > 0)) continue;
+    const Point one = minus(corner(2), corner(0)), other = minus(corner(3), corner(1));
+    const Point normal = cross(one, other);
+    const double length = norm(normal);
+    if (!(length > collapsed_share * norm(one) * norm(other))) continue;
     Point centre{};
     for (int i = 0; i < 4; ++i) {
       for (std::size_t k = 0; k < 3; ++k) centre[k] += corner(i)[k] / 4;

@@ -12,6 +12,10 @@
 
 namespace pinball {
 
+/// Of what is collapsed to a line both diagonals, or sides, are that line, and their vector product is zero but for
+/// rounding: the most that it is, over their lengths [-].
+inline constexpr double collapsed_share = 1e-9;
+
 /// How deep a point lies in a body.
 struct BodyDepth {
   double depth = 0;   ///< distance to the nearest point of the surface; 0: the point is not inside [length]

@@ -89,7 +89,7 @@ void add_crossing(const std::array<Point, 3>& x, const Point& from, const Point&
   const Point a = minus(x[1], x[0]), b = minus(x[2], x[0]);
   Point normal = cross(a, b);
   const double along = dot(way, normal), twice_area = norm(normal);
-  if (!(twice_area > 0) || along == 0) return;
+  if (!(twice_area > collapsed_share * norm(a) * norm(b)) || along == 0) return;
   const Point to = minus(x[0], from);
   const double at = dot(to, normal) / along;
   if (!(at > 0 && at < 1)) return;
