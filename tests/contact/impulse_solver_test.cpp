@@ -304,6 +304,31 @@ TEST(ImpulsesOfTwoNodes, GiveBackNoMoreThanTheyHaveTaken) {
   }
 }
 
+/// Held directions of unit length add up to what leaves no mobility but that of rounding, which is none: the same as
+/// along the axes, where it is zero. Also of nodes that move across the row alone.
+TEST(ImpulsesOfTwoNodes, DoNothingWhereBothAreHeldAlongTheRow) {
+  for (const double friction : {0.0, 0.3}) {
+    for (const auto& [x, y] : {std::pair{unit({1, 2, 3}), unit({3, 0, -1})},
+                               {unit({-0.3, 0.1, 0.7}), unit({0.7, 0.7, 0.2})},
+                               {unit({5, -1, 2}), unit({1, 9, 2})}}) {
+      const Vec3<double> z = unit(cross(x, y)), across = unit(cross(z, x)), row = unit(0.6 * x + 0.8 * z);
+      for (const bool entirely : {false, true}) {
+        std::vector<HeldDirection> held;
+        for (const std::int32_t node : {0, 1}) {
+          held.push_back({node, {x.x, x.y, x.z}});
+          held.push_back({node, {z.x, z.y, z.z}});
+          if (entirely) held.push_back({node, {across.x, across.y, across.z}});
+        }
+        Nodes nodes({2.0, 3.0});
+        nodes.set_velocity(0, -4.0 * row);
+        ImpulseSolver<double> solver(coupled(friction, friction), 2, {2, held});
+        solve_pair(solver, nodes, row, 0);
+        EXPECT_EQ(dot(nodes.force_of(0), nodes.force_of(0)), 0) << entirely << ' ' << friction;
+      }
+    }
+  }
+}
+
 /// Three rows, each as if it were alone.
 TEST(ImpulsesOfTwoNodes, DoNotDependOnRowsThatShareNoNode) {
   Nodes nodes({1, 2, 3, 4, 5, 6});

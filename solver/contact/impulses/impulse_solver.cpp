@@ -16,6 +16,10 @@ namespace {
 /// velocity of g/dt.
 constexpr double push_out = 0.1;
 
+/// Over the mobility in all directions: less is none, but that of rounding, as directions are given in which nodes are
+/// held.
+constexpr double no_mobility = 1e-10;
+
 /// Faster than anything closes, and still a number.
 constexpr double more_than_any_rate = 1e100;
 /// What is left where the bound of their number ends iterations, over what impulses were to change: more than this is
@@ -89,7 +93,7 @@ double ImpulseSolver<S>::mobile_share(const SurfaceSource<S>& source, const RowV
     const std::int32_t n = node_[row.node[k]];
     double free = 1;
     for (const Point& held : held_.of(n)) free -= std::pow(held[0] * a[0] + held[1] * a[1] + held[2] * a[2], 2);
-    double inverse_mass = free * source.inverse_mass[n];
+    double inverse_mass = free > no_mobility ? free * source.inverse_mass[n] : 0.0;
     const std::int32_t body = rigid_ ? rigid_.sides->body_of_node[n] : -1;
     if (body >= 0) {
       const RigidSide& side = rigid_.side(body);
@@ -127,7 +131,9 @@ void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocit
     ImpulseNode& node = nodes_[i];
     node = {{m, m, m}, false};
     double* a = node.inverse_mass;
-    for (const auto& [x, y, z] : held_.of(n)) {
+    const std::span<const Point> held = held_.of(n);
+    if (held.size() == 3) node = {{0, 0, 0}, true};
+    for (const auto& [x, y, z] : held.size() == 3 ? std::span<const Point>() : held) {
       node.held = true;
       a[0] -= m * x * x;
       a[1] -= m * y * y;
@@ -195,15 +201,19 @@ void ImpulseSolver<S>::set_rate(std::size_t i, double velocity_step, double dt) 
   Pair& pair = pairs_[i];
   const RowView row = rows_[i];
   const Vec3<double> a{row.direction[0], row.direction[1], row.direction[2]};
-  double inverse_mass = 0;
+  double inverse_mass = 0, in_all_directions = 0;
   Vec3<double> v{0, 0, 0};
   for (int k = 0; k < row.nodes; ++k) {
     const double* m = nodes_[row.node[k]].inverse_mass;
     const Symmetric<double> mobility{m[0], m[1], m[2], m[3], m[4], m[5]};
-    if (nodes_[row.node[k]].body < 0) inverse_mass += row.weight[k] * row.weight[k] * dot(a, mobility * a);
+    if (nodes_[row.node[k]].body < 0) {
+      inverse_mass += row.weight[k] * row.weight[k] * dot(a, mobility * a);
+      in_all_directions += row.weight[k] * row.weight[k] * trace(mobility);
+    }
     v = v + row.weight[k] * vector_of(record(velocity_.data(), row.node[k]));
   }
   if (rigid_) inverse_mass += rigid_inverse_mass(i, a);
+  if (inverse_mass <= no_mobility * dot(a, a) * in_all_directions) inverse_mass = 0;
   own.inverse_mass = inverse_mass;
   if (is_bound(i)) {
     own.position_rate = pair.depth / dt;
