@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -202,6 +203,30 @@ TEST_F(TenNodesOfOneFormat, HaveSetsOfEight) {
   std::ofstream(path) << abaqus();
   const MeshFile file = read_mesh_file({.format = MeshFormat::abaqus, .file = path, .part = ""}, {});
   EXPECT_THAT(find_set(file.element_sets, "second")->members, ElementsAre(8, 9, 10, 11, 12, 13, 14, 15));
+}
+
+/// A sixth of a cube: two of the ways through its middle are as long, but for rounding.
+TEST_F(TenNodesOfOneFormat, AreCutAlikeInAnyUnitsWhereTwoWaysThroughThemAreAsLong) {
+  const auto cut = [&](double unit, double angle) {
+    std::vector<Point> x{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}};
+    for (const auto& [i, j] : {std::pair(0, 1), {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}})
+      x.push_back({(x[i][0] + x[j][0]) / 2, (x[i][1] + x[j][1]) / 2, (x[i][2] + x[j][2]) / 2});
+    std::string text = "*NODE\n";
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      const double cosine = std::cos(angle), sine = std::sin(angle);  // about two axes, one after the other
+      const Point about_z{cosine * x[n][0] - sine * x[n][1], sine * x[n][0] + cosine * x[n][1], x[n][2]};
+      const double y = cosine * about_z[1] - sine * about_z[2], z = sine * about_z[1] + cosine * about_z[2];
+      text += fmt::format("{}, {}, {}, {}\n", n + 1, unit * (about_z[0] + 10), unit * (y + 10), unit * (z + 10));
+    }
+    const std::string path = (folder_ / "one.inp").string();
+    std::ofstream(path) << text << "*ELEMENT, TYPE=C3D10, ELSET=all\n1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10\n";
+    return read_mesh_file({.format = MeshFormat::abaqus, .file = path, .part = ""}, {}).mesh.hexahedra;
+  };
+  const auto first = cut(1, 0);
+  for (int k = 1; k < 20; ++k) {
+    EXPECT_EQ(cut(1 + 0.1 * k, 0.4), first) << k;
+    EXPECT_EQ(cut(1, 0.3 * k), first) << k;
+  }
 }
 
 std::set<std::int64_t> numbers_of(const MeshFile& file, const std::string& name) {

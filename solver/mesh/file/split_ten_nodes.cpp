@@ -24,6 +24,9 @@ struct Axis {
 };
 constexpr std::array<Axis, 3> axes{{{0, 5, {3, 4, 1, 2}}, {1, 3, {4, 5, 2, 0}}, {2, 4, {5, 3, 0, 1}}}};
 
+/// Of ways through the middle that are as long but for rounding the first is taken: over their length.
+constexpr double as_long = 1e-6;
+
 using Corners4 = std::array<std::int32_t, 4>;
 
 Corners4 corners_of(const MeshFile& file, const EdgeNodes& of) {
@@ -47,7 +50,8 @@ void add_eight(const MeshFile& file, const EdgeNodes& of, std::vector<Corners8>&
   const auto length = [&](const Axis& axis) {
     return distance(file.mesh.nodes[m[axis.from]], file.mesh.nodes[m[axis.to]]);
   };
-  const Axis& axis = *std::ranges::min_element(axes, {}, length);
+  const double longest = (1 + as_long) * length(*std::ranges::min_element(axes, {}, length));
+  const Axis& axis = *std::ranges::find_if(axes, [&](const Axis& one) { return length(one) <= longest; });
   for (std::size_t i = 0; i < 4; ++i)
     elements.push_back(tetrahedron(m[axis.from], m[axis.to], m[axis.around[i]], m[axis.around[(i + 1) % 4]]));
   elements.push_back(tetrahedron(corner[0], m[0], m[2], m[3]));
