@@ -59,6 +59,13 @@ void load(Simulation& simulation, const std::string& saved) {
   if (archive.left() > 0) StateArchive::throw_foreign();
 }
 
+/// Bodies of rigid ones that have a mass have materials of their own in a model, of another density and with a space in
+/// their names, as no scene has them: what was given has none of these.
+void leave_out_own_materials(Scene& scene) {
+  for (Body& body : scene.bodies) body.material = body.material.substr(0, body.material.find(' '));
+  std::erase_if(scene.materials, [](const Material& m) { return m.name.find(' ') != std::string::npos; });
+}
+
 }  // namespace
 
 SimulationObject::SimulationObject(const SourcedScene& scene, int threads)
@@ -122,6 +129,7 @@ ArrayView SimulationObject::forces() {
 SourcedScene SimulationObject::scene() {
   const Simulation& simulation = use();
   SourcedScene scene{simulation.scene(), source_};
+  leave_out_own_materials(scene);
   std::optional<FieldSnapshot> snapshot;
   for (Body& body : scene.bodies) {
     if (!std::holds_alternative<ArrayMesh>(body.mesh)) continue;

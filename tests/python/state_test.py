@@ -64,6 +64,16 @@ class Pickles(unittest.TestCase):
             with self.subTest(precision):
                 self.expect_the_same_end(lambda: pinball.Simulation(block_of_arrays(precision)), 0.7)
 
+    def test_of_rigid_bodies_with_a_mass_go_on_with_the_same_bits(self):
+        def make():
+            scene = block_of_arrays()
+            scene.rigid_bodies = [pinball.RigidBody(name="rigid", bodies=["a"], mass=3)]
+            return pinball.Simulation(scene)
+
+        self.expect_the_same_end(make, 0.7)
+        self.assertEqual([material.name for material in make().scene.materials], ["m"])
+        self.assertEqual([body.material for body in make().scene.bodies], ["m", "m"])
+
     def test_take_forces_of_the_host_with_them(self):
         def make():
             simulation = pinball.Simulation(block_of_arrays())
