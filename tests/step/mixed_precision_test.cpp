@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <tests/support/collapsed_case.hpp>
+#include <tests/support/law_materials.hpp>
 #include <tests/support/solver_case.hpp>
 #include <tests/support/torn_block.hpp>
 
@@ -130,6 +131,45 @@ TEST(MixedPrecision, OfCollapsedElementsThatSpin) {
       EXPECT_LT(difference(mixed, exact), cut == Cut::none ? 2e-6 : 1e-4) << int(cut);
       EXPECT_LT(mixed.balance, 2 * exact.balance + 1e-6);
       EXPECT_EQ(mixed.inside_out, 0) << int(cut);
+    }
+  }
+}
+
+/// A load that begins later, and weight.
+void load_later(Scene& scene) {
+  NodalLoad load;
+  load.nodes.body = scene.bodies[0].name;
+  load.force = {0, 0, 1e3};
+  load.table = {{0, 2e-5, 4e-5}, {0, 0, 1}};
+  scene.loads = {load};
+}
+void weigh(Scene& scene) { scene.gravities.emplace_back().acceleration = {0, 0, -9.81}; }
+
+/// Where a law sees volumes, those of elements at rest press by what single precision rounds of them. While nothing
+/// else moves that is no error of the balance: such runs stopped in their first step.
+TEST(MixedPrecision, LetsBodiesAtRestRestWhereVolumesPress) {
+  Material brittle = plastic_material("ceramic", 0, 0);
+  brittle.plastic_modulus = 0;
+  brittle.johnson_holmquist = JohnsonHolmquistSettings{};
+  brittle.johnson_holmquist->intact_strength = 0.9;
+  brittle.johnson_holmquist->intact_exponent = 0.6;
+  brittle.johnson_holmquist->tensile_strength = 3e8;
+  brittle.johnson_holmquist->elastic_limit = 1.1e10;
+  brittle.johnson_holmquist->elastic_limit_pressure = 5e9;
+  for (const Material& material : {soil_material("soil"), brittle, rubber()}) {
+    for (const auto begin : {load_later, weigh}) {
+      Body body = block("body", {3, 3, 3}, 1, {0.013, 0.027, 0}, {}, material.name);
+      body.mesh = BlockMesh{{0.031, 0.017, 0.023}, {3, 3, 3}};
+      Scene scene = scene_of({body}, 6e-5, false);
+      scene.materials = {material};
+      begin(scene);
+      for (const bool single : {false, true}) {
+        const auto run_it = [&] {
+          return single ? end_of<float>(scene, Precision::float32).steps
+                        : end_of<double>(scene, Precision::mixed).steps;
+        };
+        EXPECT_EQ(error_of<RunError>(run_it), no_error) << material.name;
+      }
     }
   }
 }

@@ -57,7 +57,8 @@ double energy_at_rest(const Model<S>& model) {
   double fastest = 0;
   for (const ElementConstants<S>& c : model.constants)
     fastest = std::max(fastest, static_cast<double>(c.material.sound_speed));
-  return 0.5e-26 * mass_of_nodes(model) * fastest * fastest;
+  const double rounded = has_single_elements(model.scene.precision) ? 1e-6 : 1e-13;
+  return 0.5 * rounded * rounded * mass_of_nodes(model) * fastest * fastest;
 }
 
 template <class S>
