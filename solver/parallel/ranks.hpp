@@ -61,19 +61,30 @@ class Ranks {
   /// The others wait for what does not come any more: they are ended when this object goes, all with exit status 1.
   void give_up() { gave_up_ = true; }
 
-  /// Of each number in `of`, what its owner has; owner: rank of each.
-  template <class Value>
-  void share(const std::vector<std::int32_t>& owner, Value* of) {
-    std::vector<Value> own, all(owner.size());
+  /// Of each number in `of`, what its owner has; owner: rank of each. wanted(i): whether the others need it, which all
+  /// answer alike.
+  template <class Value, class Wanted>
+  void share(const std::vector<std::int32_t>& owner, Value* of, const Wanted& wanted) {
+    std::vector<Value> own;
     std::vector<std::size_t> bytes_of(count(), 0), next(count(), 0);
+    std::size_t shared = 0;
     for (std::size_t i = 0; i < owner.size(); ++i) {
+      if (!wanted(i)) continue;
+      ++shared;
       bytes_of[owner[i]] += sizeof(Value);
       if (owner[i] == number()) own.push_back(of[i]);
     }
+    std::vector<Value> all(shared);
     for (std::size_t r = 1; r < next.size(); ++r) next[r] = next[r - 1] + bytes_of[r - 1] / sizeof(Value);
     gather(std::as_bytes(std::span(own)), bytes_of, std::as_writable_bytes(std::span(all)), true);
-    for (std::size_t i = 0; i < owner.size(); ++i) of[i] = all[next[owner[i]]++];
+    for (std::size_t i = 0; i < owner.size(); ++i) {
+      if (wanted(i)) of[i] = all[next[owner[i]]++];
+    }
     bytes_given += static_cast<std::int64_t>(all.size() * sizeof(Value));
+  }
+  template <class Value>
+  void share(const std::vector<std::int32_t>& owner, Value* of) {
+    share(owner, of, [](std::size_t) { return true; });
   }
 
   Partition partition;

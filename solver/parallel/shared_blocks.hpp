@@ -44,6 +44,11 @@ class SharedBlocks {
   void gather(Value* of_block) const {
     ranks_->share(owner_, of_block);
   }
+  /// Of those blocks alone that all ranks want.
+  template <class Value, class Wanted>
+  void gather(Value* of_block, const Wanted& wanted) const {
+    ranks_->share(owner_, of_block, wanted);
+  }
 
  private:
   Ranks* ranks_;

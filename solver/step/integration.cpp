@@ -74,7 +74,7 @@ MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLen
     parallel_for("integration", RangePolicy<>{run.begin, run.end},
                  [&](std::int64_t span) { of_span[span] = due.contain(span) ? integrate(span) : MotionEnergy(); });
   }
-  domain->node_blocks().gather(of_span.data());
+  domain->node_blocks().gather(of_span.data(), [&due](std::size_t span) { return due.contain(span); });
   return sum_of_spans(spans, due, [&](std::int64_t span) { return of_span[span]; });
 }
 

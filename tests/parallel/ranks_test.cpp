@@ -9,6 +9,7 @@
 #include <solver/parallel/partition.hpp>
 #include <solver/parallel/planned_ranks.hpp>
 #include <solver/parallel/subdomain.hpp>
+#include <solver/step/integration.hpp>
 #include <tests/elements/thin_section.hpp>
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/tetrahedra_case.hpp>
@@ -155,6 +156,36 @@ TEST(Ranks, SendTheLessTheFewerElementsAreWorked) {
   const SharedWork work = expect_reported_bytes(scene, 6);
   EXPECT_GT(of_first, 24 * work.records);
   EXPECT_LT(work.bytes_per_step, of_first * 3 / 4);
+}
+
+/// Nor are kinetic energies of spans whose own step is not over.
+TEST(Ranks, SendEnergiesOfSpansThatAreDueAlone) {
+  const auto moving = [] {
+    Model<double> model = build_model<double>(cube());
+    for (std::int32_t n = 0; n < model.nodes.count; ++n) model.nodes.velocity_of(n)[0] = n;
+    return model;
+  };
+  const auto check = [&](ThreadRanks& ranks) {
+    Model<double> model = moving(), alone = moving();
+    Subdomain<double> domain(model, ranks);
+    domain.connect(model, 0);
+    std::vector<std::int8_t> levels(span_count(model.nodes.count), 3);
+    levels[2] = levels.back() = 0;
+    const std::int64_t before = ranks.bytes_given;
+    const StepLengths none{.before = 0, .after = 0};
+    const MotionEnergy energy = integrate_nodes(model, {&levels, 0}, none, &domain);
+    EXPECT_EQ(ranks.bytes_given - before, 2 * std::int64_t{sizeof(MotionEnergy)});
+    EXPECT_EQ(energy.kinetic, integrate_nodes<double>(alone, {&levels, 0}, none, nullptr).kinetic);
+    EXPECT_GT(energy.kinetic, 0);
+    EXPECT_TRUE(ranks.number() == 0 || domain.next_order() == RankOrder::end);
+  };
+  on_ranks(
+      3, {},
+      [&](ThreadRanks& ranks) {
+        check(ranks);
+        return 0;
+      },
+      check);
 }
 
 /// Nodes deep inside what another rank works, as if erosion had brought them to the surface.
