@@ -4,25 +4,9 @@
 #include <utility>
 
 #include <solver/base/point.hpp>
-#include <solver/model/nodes_of_bodies.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
 namespace pinball {
-
-namespace {
-
-/// Of all bodies where none is named; ascending.
-std::vector<std::int32_t> nodes_of_body(const ModelMesh& mesh, const std::string& name) {
-  std::vector<std::int32_t> nodes;
-  for_nodes_of_bodies(mesh, [&](std::int32_t body, std::int32_t n) {
-    if (name.empty() || name == mesh.body_names[body]) nodes.push_back(n);
-  });
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
-}  // namespace
 
 template <class S>
 SymmetryWalls<S>::SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>& kernels) {
@@ -34,7 +18,7 @@ SymmetryWalls<S>::SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>&
     double side = 0;  // of the plane on which the bodies lie
     const std::vector<std::int32_t> held = matching_nodes(model.mesh, nodes_of(plane));
     const Point through = plane.set.empty() || held.empty() ? plane.point : model.mesh.nodes[held.front()];
-    for (const std::int32_t n : nodes_of_body(model.mesh, plane.body)) {
+    for (const std::int32_t n : matching_nodes(model.mesh, {.where = plane.where, .body = plane.body})) {
       side += dot(minus(model.mesh.nodes[n], through), plane.normal);
       const bool in_plane = std::binary_search(held.begin(), held.end(), n);
       if (!in_plane) nodes.push_back(model.node_of_scene_node[n]);

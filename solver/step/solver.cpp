@@ -155,8 +155,8 @@ void Solver<S>::make_step(const Due& due) {
 template <class S>
 InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
   const ElementStep<S> step{static_cast<S>(clock_.dt()), S(1), static_cast<S>(clock_.time())};
-  const bool more_forces = boundary_.any() || equations_.any() || contact() != nullptr || tied_.any() || rigid_.any() ||
-                           may_reflect();
+  const bool more_forces =
+      boundary_.any() || equations_.any() || contact() != nullptr || tied_.any() || rigid_.any() || may_reflect();
   return timers_.measure(Phase::internal_forces, [&] {
     const auto of_rigid_bodies = [this](const auto& put) {
       if (!rigid_.has_common_nodes()) return;
