@@ -194,11 +194,11 @@ std::optional<std::pair<std::int32_t, std::int32_t>> ImpulseSolver<S>::rigid_pai
 template <class S>
 void ImpulseSolver<S>::find_most_friction(const SurfaceSource<S>& source) {
   most_friction_.assign(active_.size(), 0.0);
-  for (std::size_t k = 0; k < active_.size(); ++k) {
+  for_all("most of friction", active_.size(), [&](std::int64_t k) {
     const std::int32_t i = system_.original(k);
     if (!is_bound(i))
       most_friction_[k] = frictions_[i].coefficient * dot(system_.row(k).direction, iterations_.impulse(k));
-  }
+  });
   if (!rigid_) return;
   std::map<std::pair<std::int32_t, std::int32_t>, double> of_pair;
   std::vector<double*> sums(active_.size(), nullptr);
