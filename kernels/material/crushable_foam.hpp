@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ideal_yield.hpp"
 #include "principal_values.hpp"
 #include "yield_curve.hpp"
 
@@ -86,24 +87,5 @@ PINBALL_FUNCTION T crushing_increment(const MaterialConstants<ScalarOf<T>>& mate
   return square_root(T(S(2.0 / 3.0) * shear * shear) * contract(deviator, deviator) +
                      T(S(2.0 / 9.0) * bulk * bulk) * sum * sum);
 }
-
-/// Hourglass stresses are bounded by themselves, at half of the range of a principal stress (bending_yield.hpp).
-template <class T>
-class CrushableFoamBending {
-  using S = ScalarOf<T>;
-
- public:
-  PINBALL_FUNCTION CrushableFoamBending(const MaterialConstants<S>& material, const T& stress)
-      : mu(material.mu), stress_(stress) {}
-  PINBALL_FUNCTION S modulus() const { return 3 * mu; }
-  PINBALL_FUNCTION T increment(const T& q, const T& /*plastic_strain*/) const {
-    return maximum(T(0), q - stress_) * T(1 / modulus());
-  }
-
-  const S mu;
-
- private:
-  T stress_;
-};
 
 }  // namespace pinball

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "von_mises.hpp"
+#include "ideal_yield.hpp"
 
 /// Strength that grows with the pressure, of soils, foams and concrete: ideal plasticity with
 ///
@@ -33,29 +33,10 @@ PINBALL_FUNCTION T strength_square(const DruckerPragerConstants<ScalarOf<T>>& la
   return select(pressure > T(law.none), maximum(T(0), minimum(given, T(law.most))), T(0));
 }
 
-/// The law of one step, as bending_yield.hpp and return_generally() take it.
+/// Effective stress at which it yields at a pressure, which is that of the end of the step (IdealYield) [stress].
 template <class T>
-class DruckerPragerYield {
-  using S = ScalarOf<T>;
-
- public:
-  /// pressure: at the end of the step [stress]
-  PINBALL_FUNCTION DruckerPragerYield(const MaterialConstants<S>& material, const DruckerPragerConstants<S>& law,
-                                      const T& pressure)
-      : mu(material.mu), stress_(square_root(T(S(3)) * strength_square(law, pressure))) {}
-  PINBALL_FUNCTION void apply_rate() {}
-  PINBALL_FUNCTION S modulus() const { return 3 * mu; }
-  PINBALL_FUNCTION S kinematic_share() const { return 0; }
-  /// [stress]
-  PINBALL_FUNCTION T yield_stress(const T& /*plastic_strain*/) const { return stress_; }
-  PINBALL_FUNCTION T increment(const T& q, const T& /*plastic_strain*/) const {
-    return maximum(T(0), q - stress_) * T(1 / modulus());
-  }
-
-  const S mu;
-
- private:
-  T stress_;
-};
+PINBALL_FUNCTION T effective_strength(const DruckerPragerConstants<ScalarOf<T>>& law, const T& pressure) {
+  return square_root(T(ScalarOf<T>(3)) * strength_square(law, pressure));
+}
 
 }  // namespace pinball

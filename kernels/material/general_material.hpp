@@ -128,7 +128,7 @@ PINBALL_FUNCTION void yield_under_pressure(const ElementConstants<ScalarOf<T>>& 
     const T torn = eos.tears ? numbers.get(places.torn) : T(0);
     pressure = pressure_of_energy(eos, compression, most, torn, numbers.get(places.energy));
   }
-  DruckerPragerYield<T> strength(constants.material, constants.granular, pressure);
+  IdealYield<T> strength(constants.material, effective_strength(constants.granular, pressure));
   Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
   outcome.any_lost = return_generally(strength, kept, stress, back, plastic_strain, outcome.lost);
 }
@@ -168,14 +168,14 @@ PINBALL_FUNCTION void crush(const ElementConstants<ScalarOf<T>>& constants, cons
   const Symmetric<T> taken = limit_principal_values(T(T(-1) * yield), most, stress);
   plastic_strain += crushing_increment(constants.material, taken);
   if constexpr (keeps_hourglass_state(kind)) {
+    // Hourglass stresses are bounded by themselves, at half of the range of a principal stress (bending_yield.hpp).
     const T bending = number<T>(0.5) * (yield + most), variation = kept.variation(), none(0);
     outcome.any_lost = any_lane(largest_effective_square(none, variation) > bending * bending);
     if (outcome.any_lost) {
       Symmetric<T> centre{T(0), T(0), T(0), T(0), T(0), T(0)};
       const Symmetric<T> deviator = centre;
       T strain(0);
-      outcome.lost =
-          kept.yield(CrushableFoamBending<T>(constants.material, bending), deviator, none, variation, centre, strain);
+      outcome.lost = kept.yield(IdealYield<T>(constants.material, bending), deviator, none, variation, centre, strain);
     }
   }
   if (place < 0) return;

@@ -49,7 +49,7 @@ TEST(DruckerPrager, IsACone) {
 TEST(DruckerPrager, ReturnsToItsEffectiveStress) {
   MaterialConstants<double> material{};
   material.mu = 80;
-  const DruckerPragerYield<double> law(material, soil(4, 3, 0.5), 2);
+  const IdealYield<double> law(material, effective_strength(soil(4, 3, 0.5), 2.0));
   const double yield = std::sqrt(3 * 12.0);
   EXPECT_DOUBLE_EQ(law.yield_stress(0.3), yield);
   EXPECT_NEAR(law.increment(yield + 240 * 1e-3, 0), 1e-3, 1e-15);
