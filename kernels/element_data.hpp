@@ -14,6 +14,7 @@
 #include "material/johnson_holmquist.hpp"
 #include "material/material_state.hpp"
 #include "material/mooney_rivlin.hpp"
+#include "material/ogden.hpp"
 #include "material/orthotropic.hpp"
 #include "material/von_mises.hpp"
 #include "material/yield_curve.hpp"
@@ -95,6 +96,7 @@ struct ElementConstants {
   DruckerPragerConstants<S> granular{};    ///< in the place of `hardening`, where used
   CrushableFoamConstants<S> foam{};        ///< where used `hardening` has its curve over the compaction
   MooneyRivlinConstants<S> rubber{};       ///< of what never yields, in the place of Hooke's law, where used
+  OgdenConstants<S> ogden{};               ///< the same
   OrthotropicConstants<S> orthotropic{};   ///< the same
   FluidConstants<S> fluid{};               ///< in the place of all strength, where used
   EquationOfState<S> pressure{};

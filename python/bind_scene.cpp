@@ -56,6 +56,7 @@ void bind_parts(py::module_& module) {
   bind_table<DruckerPragerSettings>(module, "DruckerPrager", "Strength that grows with the pressure.");
   bind_table<CrushableFoamSettings>(module, "CrushableFoam", "Foam whose principal stresses yield each by itself.");
   bind_table<MooneyRivlinSettings>(module, "MooneyRivlin", "Rubber after Mooney and Rivlin.");
+  bind_table<OgdenSettings>(module, "Ogden", "Rubber and foam after Ogden.");
   bind_table<OrthotropicSettings>(module, "Orthotropic", "Elastic moduli that differ with the direction.");
   bind_table<FluidSettings>(module, "Fluid", "No strength, and the viscosity of Newton.");
   bind_table<EquationOfStateSettings>(module, "EquationOfState", "Pressure over compression and energy.");

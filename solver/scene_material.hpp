@@ -108,6 +108,18 @@ struct MooneyRivlinSettings {
   bool operator==(const MooneyRivlinSettings&) const = default;
 };
 
+/// ogden of a material: an energy of powers of the principal stretches (kernels/material/ogden.hpp).
+struct OgdenSettings {
+  static constexpr std::size_t most_terms = 10;
+
+  std::vector<double> moduli;     ///< moduli: m_p, one per term [stress]
+  std::vector<double> exponents;  ///< exponents: a_p, as many [-]
+  double poisson_ratio = 0.0;     ///< poisson_ratio: of small strains [-]
+  bool whole = false;             ///< stretches = "shape" | "whole": what the powers are of
+
+  bool operator==(const OgdenSettings&) const = default;
+};
+
 /// orthotropic of an elastic material: moduli along the axes a, b and c of the undeformed material, which go with it
 /// (kernels/material/orthotropic.hpp).
 struct OrthotropicSettings {
@@ -198,6 +210,7 @@ struct Material {
   std::optional<DruckerPragerSettings> drucker_prager;        ///< the same
   std::optional<CrushableFoamSettings> crushable_foam;        ///< the same
   std::optional<MooneyRivlinSettings> mooney_rivlin;          ///< of an elastic one, in the place of its moduli
+  std::optional<OgdenSettings> ogden;                         ///< the same
   std::optional<OrthotropicSettings> orthotropic;             ///< the same
   std::optional<FluidSettings> fluid;                         ///< in the place of all strength
   std::optional<EquationOfStateSettings> equation_of_state;   ///< in the place of the bulk modulus, which follows

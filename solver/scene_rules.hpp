@@ -44,6 +44,9 @@ std::optional<Problem> problem_of(const JohnsonCookSettings& law);
 std::optional<Problem> problem_of(const JohnsonHolmquistSettings& law, double bulk_modulus);
 std::optional<Problem> problem_of(const DruckerPragerSettings& law);
 std::optional<Problem> problem_of(const CrushableFoamSettings& law);
+std::optional<Problem> problem_of(const OgdenSettings& law);
+/// Of small strains: half the sum of moduli times exponents [stress].
+double shear_modulus_of(const OgdenSettings& law);
 std::optional<Problem> problem_of(const OrthotropicSettings& law);
 std::optional<Problem> problem_of(const EquationOfStateSettings& eos);
 std::optional<Problem> problem_of(const ErosionSettings& erosion);

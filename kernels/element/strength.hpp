@@ -4,6 +4,7 @@
 #include "../material/general_material.hpp"
 #include "../material/mooney_rivlin.hpp"
 #include "../material/neo_hookean.hpp"
+#include "../material/ogden.hpp"
 #include "../material/orthotropic.hpp"
 #include "averaged_step.hpp"
 #include "element_pack.hpp"
@@ -140,7 +141,7 @@ PINBALL_FUNCTION void follow_energy_generally(const ElementConstants<ScalarOf<T>
     follow_orthotropic_energy(constants, numbers, bound, middle, motion, dt, stress_old, stress, stable_rate);
     return;
   }
-  if (!constants.rubber.used) {
+  if (!constants.rubber.used && !constants.ogden.used) {
     follow_energy(constants, own, bound, middle, motion, dt, stress_old, stress, stable_rate);
     return;
   }
@@ -149,8 +150,13 @@ PINBALL_FUNCTION void follow_energy_generally(const ElementConstants<ScalarOf<T>
   const Symmetric<T> old = stress_old;  // of their own, as above
   const MaskOf<T> there = middle.whole;
   NeoHookeanState<T> now;
-  update_mooney_rivlin<T>(constants.rubber, T(ScalarOf<T>(0.5) * dt) * motion.gradient,
-                          volume_change(constants, own, bound, middle), there, old, strain, now);
+  const Tensor<T> half = T(ScalarOf<T>(0.5) * dt) * motion.gradient;
+  const VolumeChange<T> volume = volume_change(constants, own, bound, middle);
+  if (constants.ogden.used) {
+    update_ogden<T>(constants.ogden, half, volume, there, old, strain, now);
+  } else {
+    update_mooney_rivlin<T>(constants.rubber, half, volume, there, old, strain, now);
+  }
   set_symmetric(strain, numbers, place);
   stress = now.stress;
   stable_rate = bound.rate(now.lambda, now.mu);

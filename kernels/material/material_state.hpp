@@ -17,7 +17,7 @@ struct MaterialPlaces {
   int bulking = -1;      ///< b of johnson_holmquist.hpp [stress]
   int beside = -1;       ///< six: xx yy zz xy yz zx of crushable_foam.hpp [stress]
   int strain = -1;       ///< six: xx yy zz xy yz zx of e of failure.hpp [-]
-  int deformation = -1;  ///< six: xx yy zz xy yz zx of E of mooney_rivlin.hpp [-]
+  int deformation = -1;  ///< six: xx yy zz xy yz zx of E of mooney_rivlin.hpp and ogden.hpp [-]
   int gradient = -1;     ///< nine: H of orthotropic.hpp, row by row [-]
   int numbers = 0;       ///< all of them
 };

@@ -112,6 +112,33 @@ PINBALL_FUNCTION T exponential(const T& x) {
   return select(x < T(L::lowest_exponent), T(0), sum * detail::same_bits<T>(scale)) + no_number;
 }
 
+/// ln(1 + x), as accurate where x is small: the logarithm of the rounded sum, and what rounding has taken of it.
+template <class T>
+PINBALL_FUNCTION T logarithm_of_one_and(const T& x) {
+  const T sum = T(1) + x;
+  const T rest = x - (sum - T(1));
+  return logarithm(sum) + rest / maximum(sum, T(detail::Layout<ScalarOf<T>>::smallest));
+}
+
+/// e^x - 1, as accurate where x is small; not for x beyond the exponents of numbers.
+template <class T>
+PINBALL_FUNCTION T exponential_less_one(const T& x) {
+  using S = ScalarOf<T>;
+  using L = detail::Layout<S>;
+  using Bits = typename detail::BitsOf<T>::Type;
+  const T bounded = minimum(maximum(x, T(L::lowest_exponent)), T(L::highest_exponent));
+  const S half_more = S(1.5) * detail::same_bits<S>(L::whole);
+  const T rounded = bounded * number<T>(1.4426950408889634074) + T(half_more);
+  const T k = rounded - T(half_more);
+  const T r = (bounded - k * T(L::ln2_high)) - k * T(L::ln2_low);
+  T sum = T(1);
+  PINBALL_UNROLL
+  for (int i = L::terms_of_exponential; i > 1; --i) sum = T(1) + sum * r * T(S(1) / S(i));
+  const T scale = detail::same_bits<T>(Bits((detail::same_bits<Bits>(rounded) << L::digits) + Bits(L::one)));
+  const T no_number = x - x;
+  return scale * (sum * r) + (scale - T(1)) + no_number;
+}
+
 /// base^exponent of a base that is not negative: zero of zero, also with an exponent of zero.
 template <class T>
 PINBALL_FUNCTION T power(const T& base, ScalarOf<T> exponent) {

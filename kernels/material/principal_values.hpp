@@ -89,18 +89,18 @@ PINBALL_FUNCTION T excess_of(const T& value, const T& low, const T& high) {
   return maximum(T(0), value - high) + minimum(T(0), value - low);
 }
 
-/// Brings the principal values of a tensor into [low, high], low <= high; the directions stay. Returns what it takes;
-/// where nothing is beyond that is zero, whatever other lanes do.
-///
-/// With the unit vector v that stands apart, and u, w across it (Duff et al., J. Computer Graphics Techniques 6(1),
-/// 2017), the other two values are those of the 2 x 2 tensor of u and w, whose excess is linear in it.
+/// All principal values with their directions: the unit vector v that stands apart, and u, w across it (Duff et al., J.
+/// Computer Graphics Techniques 6(1), 2017); the other two values are those of the 2 x 2 tensor of u and w, in which
+/// any function of them is linear.
 template <class T>
-PINBALL_OUTLINED Symmetric<T> limit_principal_values(const T& low, const T& high, Symmetric<T>& s) {
-  const Symmetric<T> none{T(0), T(0), T(0), T(0), T(0), T(0)};
-  const PrincipalRoot<T> root = principal_root(s);
-  const PrincipalValues<T> values = values_at(root);
-  const auto beyond = values.largest > high || values.smallest < low;
-  if (!any_lane(beyond)) return none;
+struct PrincipalAxes {
+  Vec3<T> v, u, w;
+  T a, b, radius;         ///< of the 2 x 2 tensor: half the difference of its diagonal, the other one, hypot(a, b)
+  T apart, above, below;  ///< the values: along v, and the two others
+};
+
+template <class T>
+PINBALL_FUNCTION PrincipalAxes<T> principal_axes(const PrincipalRoot<T>& root, const Symmetric<T>& s) {
   const Vec3<T> v = direction_apart(root, s);
   const T sign = select(v.z < T(0), T(-1), T(1)), scale = T(-1) / (sign + v.z), product = v.x * v.y * scale;
   const Vec3<T> u{T(1) + sign * v.x * v.x * scale, sign * product, T(-1) * sign * v.x},
@@ -110,23 +110,49 @@ PINBALL_OUTLINED Symmetric<T> limit_principal_values(const T& low, const T& high
   const Vec3<T> of_u = deviator * u;
   const T of_uu = dot(u, of_u), of_ww = dot(w, deviator * w), b = dot(w, of_u);
   const T centre = half * (of_uu + of_ww), a = half * (of_uu - of_ww), radius = square_root(a * a + b * b);
-  const T apart = excess_of(root.mean + select(root.upwards, T(2), T(-2)) * root.c * root.m, low, high);
-  const T above = excess_of(root.mean + (centre + radius), low, high);
-  const T below = excess_of(root.mean + (centre - radius), low, high);
-  const auto differ = radius > T(0);
-  const T share = select(differ, half * (above - below) / select(differ, radius, T(1)), T(0));
-  const T common = half * (above + below), a_share = share * a, b_share = share * b, more = apart - common;
+  return {v,
+          u,
+          w,
+          a,
+          b,
+          radius,
+          root.mean + select(root.upwards, T(2), T(-2)) * root.c * root.m,
+          root.mean + (centre + radius),
+          root.mean + (centre - radius)};
+}
+
+/// The tensor of these axes that has other principal values.
+template <class T>
+PINBALL_FUNCTION Symmetric<T> along_axes(const PrincipalAxes<T>& axes, const T& apart, const T& above, const T& below) {
+  const Vec3<T>&v = axes.v, &u = axes.u, &w = axes.w;
+  const T half = number<T>(0.5);
+  const auto differ = axes.radius > T(0);
+  const T share = select(differ, half * (above - below) / select(differ, axes.radius, T(1)), T(0));
+  const T common = half * (above + below), a_share = share * axes.a, b_share = share * axes.b, more = apart - common;
   const auto entry = [&](const T& v2, const T& u2, const T& w2, const T& uw) __attribute__((always_inline)) {
     return more * v2 + a_share * (u2 - w2) + b_share * uw;
   };
-  const Symmetric<T> taken = select(beyond,
-                                    Symmetric<T>{common + entry(v.x * v.x, u.x * u.x, w.x * w.x, T(2) * u.x * w.x),
-                                                 common + entry(v.y * v.y, u.y * u.y, w.y * w.y, T(2) * u.y * w.y),
-                                                 common + entry(v.z * v.z, u.z * u.z, w.z * w.z, T(2) * u.z * w.z),
-                                                 entry(v.x * v.y, u.x * u.y, w.x * w.y, u.x * w.y + u.y * w.x),
-                                                 entry(v.y * v.z, u.y * u.z, w.y * w.z, u.y * w.z + u.z * w.y),
-                                                 entry(v.z * v.x, u.z * u.x, w.z * w.x, u.z * w.x + u.x * w.z)},
-                                    none);
+  return {common + entry(v.x * v.x, u.x * u.x, w.x * w.x, T(2) * u.x * w.x),
+          common + entry(v.y * v.y, u.y * u.y, w.y * w.y, T(2) * u.y * w.y),
+          common + entry(v.z * v.z, u.z * u.z, w.z * w.z, T(2) * u.z * w.z),
+          entry(v.x * v.y, u.x * u.y, w.x * w.y, u.x * w.y + u.y * w.x),
+          entry(v.y * v.z, u.y * u.z, w.y * w.z, u.y * w.z + u.z * w.y),
+          entry(v.z * v.x, u.z * u.x, w.z * w.x, u.z * w.x + u.x * w.z)};
+}
+
+/// Brings the principal values of a tensor into [low, high], low <= high; the directions stay. Returns what it takes;
+/// where nothing is beyond that is zero, whatever other lanes do.
+template <class T>
+PINBALL_OUTLINED Symmetric<T> limit_principal_values(const T& low, const T& high, Symmetric<T>& s) {
+  const Symmetric<T> none{T(0), T(0), T(0), T(0), T(0), T(0)};
+  const PrincipalRoot<T> root = principal_root(s);
+  const PrincipalValues<T> values = values_at(root);
+  const auto beyond = values.largest > high || values.smallest < low;
+  if (!any_lane(beyond)) return none;
+  const PrincipalAxes<T> axes = principal_axes(root, s);
+  const T apart = excess_of(axes.apart, low, high), above = excess_of(axes.above, low, high),
+          below = excess_of(axes.below, low, high);
+  const Symmetric<T> taken = select(beyond, along_axes(axes, apart, above, below), none);
   s = s - taken;
   return taken;
 }

@@ -568,6 +568,18 @@ class MooneyRivlin:
     poisson_ratio: float
     """of small strains, whose shear modulus is 2 (A + B) [-]"""
 
+class Ogden:
+    """Rubber and foam after Ogden."""
+    def __init__(self, *, moduli: Sequence[float] = ..., exponents: Sequence[float] = ..., poisson_ratio: float = ..., whole: bool = ...) -> None: ...
+    moduli: Field[list[float], Sequence[float]]
+    """m_p, one per term, 10 at most [stress]"""
+    exponents: Field[list[float], Sequence[float]]
+    """a_p, as many, none 0; half the sum of m_p a_p is the shear modulus of small strains [-]"""
+    poisson_ratio: float
+    """of small strains [-]"""
+    whole: bool
+    """what the powers are of: "shape", without the change of volume, which has an energy of its own, of rubber; "whole", of foam"""
+
 class Orthotropic:
     """Elastic moduli that differ with the direction."""
     def __init__(self, *, young_moduli: Sequence[float] = ..., poisson_ratios: Sequence[float] = ..., shear_moduli: Sequence[float] = ..., first_axis: Sequence[float] = ..., second_axis: Sequence[float] = ...) -> None: ...
@@ -648,7 +660,7 @@ class Erosion:
 
 class Material:
     """[[material]] of a scene, with bulk and shear modulus."""
-    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., johnson_holmquist: Optional[JohnsonHolmquist] = ..., drucker_prager: Optional[DruckerPrager] = ..., crushable_foam: Optional[CrushableFoam] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., orthotropic: Optional[Orthotropic] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., plastic: bool = ..., density: float = ..., bulk_modulus: float = ..., shear_modulus: float = ..., yield_stress: float = ..., plastic_modulus: float = ..., ultimate_stress: float = ..., erosion_strain: float = ..., isotropic_share: float = ..., yield_curves: Union[YieldCurves, list[YieldCurve]] = ..., power_hardening: Optional[PowerHardening] = ..., rate_interpolation: Union[RateInterpolation, str] = ..., strain_rate: Union[StrainRate, str] = ..., rate_constant: float = ..., rate_exponent: float = ..., rate_stress: float = ..., johnson_cook: Optional[JohnsonCook] = ..., johnson_holmquist: Optional[JohnsonHolmquist] = ..., drucker_prager: Optional[DruckerPrager] = ..., crushable_foam: Optional[CrushableFoam] = ..., mooney_rivlin: Optional[MooneyRivlin] = ..., ogden: Optional[Ogden] = ..., orthotropic: Optional[Orthotropic] = ..., fluid: Optional[Fluid] = ..., equation_of_state: Optional[EquationOfState] = ..., erosion: Optional[Erosion] = ...) -> None: ...
     name: str
     """unique"""
     plastic: bool
@@ -693,6 +705,8 @@ class Material:
     """table (below), in the place of yield_stress and the laws above: foams whose principal stresses yield each by itself, at a stress of the volume; None: none"""
     mooney_rivlin: Optional[MooneyRivlin]
     """table (below): rubber, in the place of the moduli; None: none"""
+    ogden: Optional[Ogden]
+    """table (below): rubber and foam, in the place of the moduli; None: none"""
     orthotropic: Optional[Orthotropic]
     """table (below): moduli that differ with the direction, for small strains and any rotation, in the place of the moduli; None: none"""
     fluid: Optional[Fluid]

@@ -102,6 +102,7 @@ ElementConstants<E> constants_with_laws(const Scene& scene, const ElementPart& p
   c.granular = granular_constants<E>(material);
   c.foam = foam_constants<E>(material);
   c.rubber = rubber_constants<E>(material);
+  c.ogden = ogden_constants<E>(material);
   c.orthotropic = orthotropic_constants<E>(material);
   c.fluid = fluid_constants<E>(material);
   c.pressure = pressure_constants<E>(material);

@@ -120,6 +120,9 @@ void print_materials(const Scene& scene, const Units& units) {
     if (m.mooney_rivlin)
       fmt::print("    Mooney-Rivlin: A {}, B {}\n", with_unit(m.mooney_rivlin->a, units.stress),
                  with_unit(m.mooney_rivlin->b, units.stress));
+    if (const auto& law = m.ogden)
+      fmt::print("    Ogden: {} of {}\n", counted(law->moduli.size(), "power"),
+                 law->whole ? "the stretches" : "the stretches of shape");
     if (const auto& law = m.orthotropic)
       fmt::print("    orthotropic: E {}, {}, {}\n", with_unit(law->young_moduli[0], units.stress),
                  with_unit(law->young_moduli[1], units.stress), with_unit(law->young_moduli[2], units.stress));

@@ -21,6 +21,11 @@ void complete(Material& material) {
     material.shear_modulus = 2 * (rubber->a + rubber->b);
     material.bulk_modulus = material.shear_modulus * 2 * (1 + nu) / (3 * (1 - 2 * nu));
   }
+  if (const auto& law = material.ogden; law && !material.plastic && !problem_of(*law)) {
+    const double nu = law->poisson_ratio;
+    material.shear_modulus = shear_modulus_of(*law);
+    material.bulk_modulus = material.shear_modulus * 2 * (1 + nu) / (3 * (1 - 2 * nu));
+  }
   if (const auto& law = material.orthotropic; law && !material.plastic && !problem_of(*law)) {
     const IsotropicModuli mean = mean_moduli(*law);
     material.bulk_modulus = mean.bulk;

@@ -49,6 +49,13 @@ double stable_rate(const Material& m, double h, double k) {
   return std::sqrt(8 / m.density * (2 * m.shear_modulus * pressed + lambda * (pressed + 2 * wide)) / (2 * h * h));
 }
 
+/// s_xx - s_yy of F = diag(e^k, e^-k, 1), which keeps the volume: sum of m (l^a - l^-a), l = e^k.
+double drawn_by_powers(const OgdenSettings& law, double k) {
+  double sum = 0;
+  for (std::size_t p = 0; p < law.moduli.size(); ++p) sum += law.moduli[p] * 2 * std::sinh(law.exponents[p] * k);
+  return sum;
+}
+
 /// s_xx - s_yy of F = diag(e^k, e^-k, 1), of a material whose axes are along y, z, x: sigma = F S F^T of the S for
 /// which the compliance of the engineering constants gives Green's strain.
 double orthotropic_shear(const OrthotropicSettings& law, double k) {
@@ -242,6 +249,9 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
       row("johnson_cook", to_effective * heated.stress, of_increments + slope * of_heat,
           "3 G (E - e) = Y(e, T), rho c dT = Y de in 20,000 pieces"),
       row("mooney_rivlin", drawn, 1e-11, "closed form in the deformation gradient"),
+      row("ogden", drawn_by_powers(*bodies.material("ogden").ogden, k), 1e-11, "closed form in the stretches"),
+      row("ogden_foam", drawn_by_powers(*bodies.material("ogden_foam").ogden, k), 1e-11,
+          "closed form in the stretches"),
       row("orthotropic", orthotropic_shear(*bodies.material("orthotropic").orthotropic, k), 1e-11,
           "F (C : E) F^T, by the compliance"),
       brittle("brittle_intact", false),

@@ -137,7 +137,9 @@ TEST_P(DeviceRun, HasPowersFluidsSoilFoamRubberAndAxes) {
   fluid.equation_of_state.emplace();
   fluid.equation_of_state->sound_speed = 4000;
   rubber.mooney_rivlin = MooneyRivlinSettings{3e10, 1e10, 0.3};
-  for (const Material& material : {power, fluid, soil_material("soil"), foam_material("foam"), rubber, wood}) {
+  Material powers = elastic_material("powers");
+  powers.ogden = OgdenSettings{{3e10, -1e10}, {2.5, -1.5}, 0.3, false};
+  for (const Material& material : {power, fluid, soil_material("soil"), foam_material("foam"), rubber, powers, wood}) {
     scene.materials.push_back(material);
     Body more = block(material.name, {3, 4, 5}, 0.01, {0.5 * scene.bodies.size(), 0, 0}, {}, material.name);
     more.velocity_gradient = scene.bodies[0].velocity_gradient;

@@ -20,8 +20,9 @@ std::vector<Material> laws() {
   Material plastic = plastic_material("plastic", 3e8, 0), curve = plastic_material("curve", 3e8, 0);
   plastic.ultimate_stress = 3.2e8;
   curve.yield_curves = {{0, {0, 0.1, 0.5}, {3e8, 4e8, 5e8}}};
-  return {elastic_material(), plastic, curve, with_equation_of_state(), rubber()};
+  return {elastic_material(), plastic, curve, with_equation_of_state(), rubber(), rubber_of_powers()};
 }
+bool is_rubber(const Material& material) { return material.mooney_rivlin || material.ogden; }
 
 Scene one_block(const Material& material, bool tetrahedra, double end) {
   const Body body = block("a", {3, 2, 2}, 0.1, {0.1, 0.2, 0.3}, {}, material.name);
@@ -77,8 +78,8 @@ TEST(Tetrahedra, CarryNoStressWhenTheyTurnAndFly) {
 /// A block that strikes a wall, with what else acts on elements.
 Scene striking(const Material& material, bool tetrahedra, const std::array<int, 3>& elements = {4, 4, 10}) {
   const Body body =
-      block("a", elements, 0.1, {0, 0, 0.001}, {0, 0, material.mooney_rivlin ? -10.0 : -150.0}, material.name);
-  Scene scene = scene_of({tetrahedra ? cut(body) : body}, material.mooney_rivlin ? 0.05 : 1e-3, false);
+      block("a", elements, 0.1, {0, 0, 0.001}, {0, 0, is_rubber(material) ? -10.0 : -150.0}, material.name);
+  Scene scene = scene_of({tetrahedra ? cut(body) : body}, is_rubber(material) ? 0.05 : 1e-3, false);
   scene.element.bulk_viscosity = true;
   scene.materials = {material};
   scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};

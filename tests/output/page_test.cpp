@@ -161,6 +161,7 @@ Scene scene() {
                       .drucker_prager = {},
                       .crushable_foam = {},
                       .mooney_rivlin = {},
+                      .ogden = {},
                       .orthotropic = {},
                       .fluid = {},
                       .equation_of_state = {},

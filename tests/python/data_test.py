@@ -17,7 +17,7 @@ SCENES = sorted(path.stem for path in (ROOT / "data" / "scenes").glob("*.toml"))
 
 # C++ structs of scenes by their Python classes, with the fields that have another name in Python.
 CLASSES = {"PlaneConstraint": "SymmetryPlane", "FixedConstraint": "Fixed", "NodalLoad": "Load",
-           "PowerHardeningSettings": "PowerHardening", "JohnsonCookSettings": "JohnsonCook", "JohnsonHolmquistSettings": "JohnsonHolmquist", "DruckerPragerSettings": "DruckerPrager", "CrushableFoamSettings": "CrushableFoam", "EquationOfStateSettings": "EquationOfState", "FluidSettings": "Fluid", "MooneyRivlinSettings": "MooneyRivlin", "OrthotropicSettings": "Orthotropic",
+           "PowerHardeningSettings": "PowerHardening", "JohnsonCookSettings": "JohnsonCook", "JohnsonHolmquistSettings": "JohnsonHolmquist", "DruckerPragerSettings": "DruckerPrager", "CrushableFoamSettings": "CrushableFoam", "EquationOfStateSettings": "EquationOfState", "FluidSettings": "Fluid", "MooneyRivlinSettings": "MooneyRivlin", "OgdenSettings": "Ogden", "OrthotropicSettings": "Orthotropic",
            "ErosionSettings": "Erosion"}
 NAMES = {("Scene", "constraints"): "symmetry_planes", ("Scene", "fixed_constraints"): "fixed"}
 HEADERS = ["scene.hpp", "scene_boundary.hpp", "scene_contact.hpp", "scene_material.hpp", "mesh_settings.hpp", "contact/contact_settings.hpp"]

@@ -135,9 +135,10 @@ TEST_F(MaterialLawsScene, ReadsFluids) {
 }
 
 TEST_F(MaterialLawsScene, ReadsRubber) {
-  const auto rubber = [&](const std::string& text, const std::string& more = "") {
+  const auto rubber = [&](const std::string& text, const std::string& more = "",
+                          const std::string& law = "mooney_rivlin") {
     std::vector<std::string> all = with(10, more);
-    all[7] = "mooney_rivlin = { " + text + " }", all[8] = "";
+    all[7] = law + " = { " + text + " }", all[8] = "";
     for (std::string& line : all) {
       if (line.starts_with("model")) line = "model = \"elastic\"";
     }
@@ -151,6 +152,22 @@ TEST_F(MaterialLawsScene, ReadsRubber) {
   EXPECT_THAT(error(rubber("a = 1, b = 0, poisson_ratio = 0.5")), HasSubstr("poisson_ratio: expected a number > 0"));
   EXPECT_THAT(error(rubber("a = 1, b = 0, poisson_ratio = 0.4", "young_modulus = 1e6")),
               HasSubstr("young_modulus: expected none beside mooney_rivlin"));
+  const auto powers = [&](const std::string& text, const std::string& more = "") {
+    return rubber(text + ", poisson_ratio = 0.4", more, "ogden");
+  };
+  const Material of_powers = read(powers("moduli = [3e5, -1e5], exponents = [1.5, -2]")).materials.at(0);
+  EXPECT_EQ(*of_powers.ogden, (OgdenSettings{{3e5, -1e5}, {1.5, -2}, 0.4, false}));
+  EXPECT_DOUBLE_EQ(of_powers.shear_modulus, 3.25e5);
+  EXPECT_NEAR(of_powers.bulk_modulus, 3.25e5 * 2 * 1.4 / (3 * 0.2), 1e-6);
+  EXPECT_TRUE(read(powers("moduli = [1], exponents = [2], stretches = \"whole\"")).materials.at(0).ogden->whole);
+  EXPECT_THAT(error(powers("moduli = [], exponents = []")), HasSubstr("moduli: expected 1 to 10 numbers, got 0"));
+  EXPECT_THAT(error(powers("moduli = [1, 2], exponents = [1]")), HasSubstr("each of the 2 moduli, got 1"));
+  EXPECT_THAT(error(powers("moduli = [1], exponents = [0]")), HasSubstr("exponents: expected numbers that are not 0"));
+  EXPECT_THAT(error(powers("moduli = [1], exponents = [-2]")), HasSubstr("moduli: expected a shear modulus"));
+  EXPECT_THAT(error(powers("moduli = [1], exponents = [2]", "young_modulus = 1e6")),
+              HasSubstr("young_modulus: expected none beside ogden"));
+  EXPECT_THAT(error(powers("moduli = [1], exponents = [2]", "mooney_rivlin = { a = 1, poisson_ratio = 0.4 }")),
+              HasSubstr("expected none beside ogden"));
 }
 
 TEST_F(MaterialLawsScene, ReadsModuliAlongAxes) {

@@ -110,6 +110,8 @@ inline std::map<std::string, std::string> key_effects_scenes() {
       {"fluid", one("model = \"von_mises\"\n[material.fluid]\nviscosity = 0.1\n[material.equation_of_state]\n"
                     "form = \"polynomial\"\ncoefficients = [0.0, 70.0, 80.0, 10.0, 1.9, 0.6, 0.1]\n",
                     "[element]\nhourglass = \"viscous\"\n")},
+      {"rubber of powers", one("model = \"elastic\"\nogden = { moduli = [8.0, -1.0], exponents = [2.5, -2.0], "
+                               "poisson_ratio = 0.45 }\n")},
       {"rubber", one("model = \"elastic\"\nmooney_rivlin = { a = 8.0, b = 1.0, poisson_ratio = 0.45 }\n")},
       {"orthotropic", one("model = \"elastic\"\n[material.orthotropic]\nyoung_moduli = [90.0, 50.0, 70.0]\n"
                           "poisson_ratios = [0.3, 0.25, 0.2]\nshear_moduli = [20.0, 30.0, 25.0]\n")},

@@ -211,7 +211,7 @@ bool is_default(const std::string& kind, const std::string& key, const GivenValu
   static const Defaults all =
       defaults_of<Scene, TimeSettings, ElementSettings, ContactSettings, ContactPair, TiedContact, SkipSettings,
                   GuardSettings, DampingSettings, OutputSettings, Material, JohnsonCookSettings, DruckerPragerSettings,
-                  CrushableFoamSettings, MooneyRivlinSettings, OrthotropicSettings, FluidSettings,
+                  CrushableFoamSettings, MooneyRivlinSettings, OgdenSettings, OrthotropicSettings, FluidSettings,
                   EquationOfStateSettings, ErosionSettings, Body, RoundNosedRodMesh, CylinderMesh, SphereMesh,
                   RigidBody, AttachedNodes, RigidMotion, Joint, PlaneConstraint, FixedConstraint, EquationTerm, Plane,
                   Line, RigidWall, PrescribedVelocity, NodalLoad, Pressure, Gravity, PointMass, InitialVelocity,

@@ -37,6 +37,15 @@ inline Material rubber() {
   return m;
 }
 
+/// The same stresses of shape, by powers of stretches: m = 2 A and -2 B of 2 and -2.
+inline Material rubber_of_powers() {
+  Material m;
+  m.name = "rubber";
+  m.density = 1100;
+  m.ogden = OgdenSettings{{6e5, -2e5}, {2, -2}, 0.49, false};
+  return m;
+}
+
 /// Of another stiffness along each of its axes, which lie across those of the scene.
 inline Material orthotropic() {
   Material m;

@@ -106,6 +106,26 @@ MooneyRivlinConstants<S> rubber_constants(const Material& material) {
   return {true, to<S>(a), to<S>(b), to<S>(c), to<S>(d)};
 }
 
+template <class S>
+OgdenConstants<S> ogden_constants(const Material& material) {
+  OgdenConstants<S> law;
+  if (!material.ogden || material.plastic) return law;
+  const OgdenSettings& given = *material.ogden;
+  law.used = true;
+  law.whole = given.whole;
+  law.terms = static_cast<int>(given.moduli.size());
+  for (std::size_t p = 0; p < given.moduli.size(); ++p) {
+    law.modulus[p] = to<S>(given.moduli[p]);
+    law.exponent[p] = to<S>(given.exponents[p]);
+  }
+  if (given.whole) {
+    law.coupling = to<S>(given.poisson_ratio / (1 - 2 * given.poisson_ratio));
+  } else {
+    law.bulk = to<S>(material.bulk_modulus);
+  }
+  return law;
+}
+
 namespace {
 
 /// lambda and mu with which an isotropic material is at least as stiff in any strain: lambda of the mean of the moduli
@@ -223,7 +243,7 @@ MaterialPlaces material_places(const Material& material) {
   if (material.erosion && (material.erosion->principal_strain > 0 || material.erosion->shear_strain > 0)) {
     keep(places.strain, 6);
   }
-  if (material.mooney_rivlin && !material.plastic) keep(places.deformation, 6);
+  if ((material.mooney_rivlin || material.ogden) && !material.plastic) keep(places.deformation, 6);
   if (material.orthotropic && !material.plastic) keep(places.gradient, 9);
   if (!material.plastic) return places;
   if (material.isotropic_share < 1) keep(places.back_stress, 5);
@@ -257,6 +277,8 @@ template CrushableFoamConstants<double> foam_constants<double>(const Material&);
 template CrushableFoamConstants<float> foam_constants<float>(const Material&);
 template MooneyRivlinConstants<double> rubber_constants<double>(const Material&);
 template MooneyRivlinConstants<float> rubber_constants<float>(const Material&);
+template OgdenConstants<double> ogden_constants<double>(const Material&);
+template OgdenConstants<float> ogden_constants<float>(const Material&);
 template OrthotropicConstants<double> orthotropic_constants<double>(const Material&);
 template OrthotropicConstants<float> orthotropic_constants<float>(const Material&);
 template FluidConstants<double> fluid_constants<double>(const Material&);

@@ -25,6 +25,8 @@ CrushableFoamConstants<S> foam_constants(const Material& material);
 template <class S>
 MooneyRivlinConstants<S> rubber_constants(const Material& material);
 template <class S>
+OgdenConstants<S> ogden_constants(const Material& material);
+template <class S>
 OrthotropicConstants<S> orthotropic_constants(const Material& material);
 template <class S>
 FluidConstants<S> fluid_constants(const Material& material);

@@ -57,7 +57,7 @@ std::vector<double> all_strains(const std::vector<YieldCurve>& curves) {
 }  // namespace
 
 bool has_general_yield(const Material& m) {
-  if (m.erosion || ((m.mooney_rivlin || m.orthotropic) && !m.plastic)) return true;
+  if (m.erosion || ((m.mooney_rivlin || m.ogden || m.orthotropic) && !m.plastic)) return true;
   return m.plastic &&
          (m.isotropic_share < 1 || m.rate_constant > 0 || !m.yield_curves.empty() || m.power_hardening ||
           m.johnson_cook || m.johnson_holmquist || m.drucker_prager || m.crushable_foam || m.equation_of_state);

@@ -111,7 +111,7 @@ SchemaJson material_schema(const SchemaJson& of_tables) {
   const SchemaJson moduli{{"oneOf",
                            {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
                             required({"equation_of_state", "shear_modulus"}), required({"mooney_rivlin"}),
-                            required({"orthotropic"}), required({"equation_of_state", "fluid"})}}};
+                            required({"ogden"}), required({"orthotropic"}), required({"equation_of_state", "fluid"})}}};
   const SchemaJson all_of_it{{"required", table["required"]}, {"properties", of_tables}, {"allOf", {moduli, yield}}};
   table["required"] = {"name"};
   table["allOf"] = {{{"if", required({"use"})}, {"then", SchemaJson::object()}, {"else", all_of_it}}};

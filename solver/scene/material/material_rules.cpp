@@ -213,6 +213,11 @@ std::optional<Problem> problem_of(const Material& material) {
   if (const auto& rubber = material.mooney_rivlin; rubber && !(rubber->a + rubber->b > 0)) {
     return Problem{"mooney_rivlin.a", fmt::format("expected a + b > 0, got {}", rubber->a + rubber->b)};
   }
+  if (material.ogden) {
+    if (material.mooney_rivlin) return Problem{"mooney_rivlin", "expected none beside ogden"};
+    if (material.orthotropic) return Problem{"orthotropic", "expected none beside ogden"};
+    if (const auto problem = inside("ogden", problem_of(*material.ogden))) return problem;
+  }
   if (material.orthotropic) {
     if (material.mooney_rivlin) return Problem{"mooney_rivlin", "expected none beside orthotropic"};
     if (const auto problem = inside("orthotropic", problem_of(*material.orthotropic))) return problem;
@@ -224,6 +229,30 @@ std::optional<Problem> problem_of(const Material& material) {
     if (const auto problem = problem_of_equation_of_state(material)) return problem;
   }
   return material.erosion ? problem_of_erosion(material) : std::nullopt;
+}
+
+double shear_modulus_of(const OgdenSettings& law) {
+  double sum = 0;
+  for (std::size_t p = 0; p < std::min(law.moduli.size(), law.exponents.size()); ++p)
+    sum += law.moduli[p] * law.exponents[p];
+  return sum / 2;
+}
+
+std::optional<Problem> problem_of(const OgdenSettings& law) {
+  constexpr std::size_t most = OgdenSettings::most_terms;
+  if (law.moduli.empty() || law.moduli.size() > most) {
+    return Problem{"moduli", fmt::format("expected 1 to {} numbers, got {}", most, law.moduli.size())};
+  }
+  if (law.exponents.size() != law.moduli.size()) {
+    return Problem{"exponents", fmt::format("expected one number for each of the {} moduli, got {}", law.moduli.size(),
+                                            law.exponents.size())};
+  }
+  if (std::ranges::count(law.exponents, 0.0) > 0) return Problem{"exponents", "expected numbers that are not 0, got 0"};
+  if (const double shear = shear_modulus_of(law); !(shear > 0)) {
+    return Problem{"moduli",
+                   fmt::format("expected a shear modulus, half the sum of moduli times exponents, > 0, got {}", shear)};
+  }
+  return {};
 }
 
 std::optional<Problem> problem_of(const Body& body, const Scene& scene) {

@@ -33,6 +33,7 @@ constexpr Kind kind(Of<JohnsonHolmquistSettings>) { return {"johnson_holmquist",
 constexpr Kind kind(Of<DruckerPragerSettings>) { return {"drucker_prager", "material.NAME.drucker_prager"}; }
 constexpr Kind kind(Of<CrushableFoamSettings>) { return {"crushable_foam", "material.NAME.crushable_foam"}; }
 constexpr Kind kind(Of<MooneyRivlinSettings>) { return {"mooney_rivlin", "material.NAME.mooney_rivlin"}; }
+constexpr Kind kind(Of<OgdenSettings>) { return {"ogden", "material.NAME.ogden"}; }
 constexpr Kind kind(Of<OrthotropicSettings>) { return {"orthotropic", "material.NAME.orthotropic"}; }
 constexpr Kind kind(Of<FluidSettings>) { return {"fluid", "material.NAME.fluid"}; }
 constexpr Kind kind(Of<EquationOfStateSettings>) { return {"equation_of_state", "material.NAME.equation_of_state"}; }

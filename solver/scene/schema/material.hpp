@@ -39,8 +39,8 @@ constexpr void describe(Of<OneYieldCurve>, Visit&& visit) {
 
 /// The tables that a material may have in it.
 using TablesOfMaterial = Types<PowerHardeningSettings, JohnsonCookSettings, JohnsonHolmquistSettings,
-                               DruckerPragerSettings, CrushableFoamSettings, MooneyRivlinSettings, OrthotropicSettings,
-                               FluidSettings, EquationOfStateSettings, ErosionSettings>;
+                               DruckerPragerSettings, CrushableFoamSettings, MooneyRivlinSettings, OgdenSettings,
+                               OrthotropicSettings, FluidSettings, EquationOfStateSettings, ErosionSettings>;
 template <class Part>
 requires is_one_of<Part, TablesOfMaterial>
 struct IsInnerTable<Part> : std::true_type {
@@ -66,6 +66,25 @@ constexpr void describe(Of<MooneyRivlinSettings>, Visit&& visit) {
       &T::poisson_ratio,
       "of small strains, whose shear modulus is 2 (A + B)",
       {.unit = "-", .bound = {.low = 0.0, .low_open = true, .high = 0.5, .high_open = true}, .need = Need::required}});
+}
+
+template <class Visit>
+constexpr void describe(Of<OgdenSettings>, Visit&& visit) {
+  using T = OgdenSettings;
+  visit(Key{"moduli", &T::moduli, "m_p, one per term, 10 at most", {.unit = "M/(L T^2)", .need = Need::required}});
+  visit(Key{"exponents",
+            &T::exponents,
+            "a_p, as many, none 0; half the sum of m_p a_p is the shear modulus of small strains",
+            {.unit = "-", .need = Need::required}});
+  visit(Key{"poisson_ratio",
+            &T::poisson_ratio,
+            "of small strains",
+            {.unit = "-", .bound = {.low = 0.0, .high = 0.5, .high_open = true}, .need = Need::required}});
+  visit(Key{"stretches",
+            &T::whole,
+            "what the powers are of: `\"shape\"`, without the change of volume, which has an energy of its own, of "
+            "rubber; `\"whole\"`, of foam",
+            {.field = "whole", .no = "shape", .yes = "whole"}});
 }
 
 template <class Visit>
@@ -254,6 +273,8 @@ constexpr void describe(Of<Material>, Visit&& visit) {
            "none"}}.only_where(plastic));
   visit(Key{
       "mooney_rivlin", &T::mooney_rivlin, "table (below): rubber, in the place of the moduli", {.otherwise = "none"}}
+            .only_where([](const Material& material) { return !material.plastic; }, "with model = \"von_mises\""));
+  visit(Key{"ogden", &T::ogden, "table (below): rubber and foam, in the place of the moduli", {.otherwise = "none"}}
             .only_where([](const Material& material) { return !material.plastic; }, "with model = \"von_mises\""));
   visit(Key{"orthotropic",
             &T::orthotropic,

@@ -17,8 +17,8 @@ namespace {
 /// K and G, given as they are or by E and nu.
 void read_moduli(const SceneTable& table, Material& material) {
   const auto number = [&](const char* key) { return table.number(key, schema::about<Material>(key).bound); };
-  if (material.mooney_rivlin || material.orthotropic) {
-    const std::string_view law = material.mooney_rivlin ? "mooney_rivlin" : "orthotropic";
+  if (material.mooney_rivlin || material.ogden || material.orthotropic) {
+    const std::string_view law = material.mooney_rivlin ? "mooney_rivlin" : material.ogden ? "ogden" : "orthotropic";
     for (const char* key : {"bulk_modulus", "shear_modulus", "young_modulus", "poisson_ratio"}) {
       if (table.has(key)) table.fail(key, fmt::format("expected none beside {}, which has its own", law));
     }
@@ -84,6 +84,7 @@ void forget_plasticity(Material& material) {
   elastic.bulk_modulus = material.bulk_modulus;
   elastic.shear_modulus = material.shear_modulus;
   elastic.mooney_rivlin = material.mooney_rivlin;
+  elastic.ogden = material.ogden;
   elastic.orthotropic = material.orthotropic;
   elastic.erosion = material.erosion;
   material = elastic;

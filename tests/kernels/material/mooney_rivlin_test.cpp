@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 
 #include <kernels/material/mooney_rivlin.hpp>
-#include <tests/support/support.hpp>
+
+#include "matrix_case.hpp"
 
 /// Rubber after Mooney and Rivlin, against closed forms and its energy.
 namespace pinball::test::mooney_rivlin_test {
@@ -14,37 +14,6 @@ MooneyRivlinConstants<double> rubber(double a, double b, double nu) {
   return {true, a, b, a / 2 + b, (a * (5 * nu - 2) + b * (11 * nu - 5)) / (2 * (1 - 2 * nu))};
 }
 
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix c{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
-  }
-  return c;
-}
-Matrix transposed(const Matrix& m) {
-  return {{{m[0][0], m[1][0], m[2][0]}, {m[0][1], m[1][1], m[2][1]}, {m[0][2], m[1][2], m[2][2]}}};
-}
-double determinant(const Matrix& m) {
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-/// I + t H.
-Matrix near_identity(const Matrix& h, double t) {
-  Matrix m{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) m[i][j] = (i == j ? 1.0 : 0.0) + t * h[i][j];
-  }
-  return m;
-}
-Matrix random_matrix(Random& random, double size) {
-  Matrix m{};
-  for (auto& row : m) {
-    for (double& one : row) one = uniform(random, -size, size);
-  }
-  return m;
-}
 /// W of the manual, of the invariants of F^T F.
 double energy(const MooneyRivlinConstants<double>& law, const Matrix& f) {
   const Matrix c = product(transposed(f), f), c2 = product(c, c);
@@ -53,15 +22,6 @@ double energy(const MooneyRivlinConstants<double>& law, const Matrix& f) {
   return law.a * (first - 3) + law.b * (second - 3) + law.c * (1 / (third * third) - 1) +
          law.d * (third - 1) * (third - 1);
 }
-/// F F^T - I.
-Symmetric<double> strain_of(const Matrix& f) {
-  const Matrix b = product(f, transposed(f));
-  return {b[0][0] - 1, b[1][1] - 1, b[2][2] - 1, b[0][1], b[1][2], b[2][0]};
-}
-Tensor<double> tensor(const Matrix& m) {
-  return {{m[0][0], m[0][1], m[0][2]}, {m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}};
-}
-
 TEST(MooneyRivlin, FollowsHookeForSmallStrains) {
   Random random(61);
   for (const double nu : {0.3, 0.45, 0.495}) {

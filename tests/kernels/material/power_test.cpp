@@ -44,6 +44,33 @@ TEST(Power, HasLogarithmsToTheLastDigits) {
   expect_logarithms<float>();
 }
 
+/// ln(1 + x) and e^x - 1 of numbers of any size.
+template <class S>
+void expect_digits_near_one() {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> exponent(-30, 2), below(-0.9999, 0);
+  const auto expect_digits = [](double found, long double exact, S x) {
+    EXPECT_LE(std::abs(static_cast<double>(found - exact)), 4 * digit<S> * std::abs(static_cast<double>(exact))) << x;
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const S size = static_cast<S>(std::exp(exponent(random)));
+    for (const S x : {size, static_cast<S>(-size)}) {
+      expect_digits(exponential_less_one(x), std::expm1(static_cast<long double>(x)), x);
+      if (x > S(-0.9)) expect_digits(logarithm_of_one_and(x), std::log1p(static_cast<long double>(x)), x);
+    }
+    const S less = static_cast<S>(below(random));
+    expect_digits(logarithm_of_one_and(less), std::log1p(static_cast<long double>(less)), less);
+  }
+  EXPECT_EQ(exponential_less_one(S(0)), S(0));
+  EXPECT_EQ(logarithm_of_one_and(S(0)), S(0));
+  EXPECT_TRUE(std::isnan(exponential_less_one(std::numeric_limits<S>::quiet_NaN())));
+}
+
+TEST(Power, HasAllDigitsNearOne) {
+  expect_digits_near_one<double>();
+  expect_digits_near_one<float>();
+}
+
 template <class S>
 void expect_exponentials() {
   std::mt19937_64 random(8);
