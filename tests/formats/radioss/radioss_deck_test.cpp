@@ -79,9 +79,9 @@ TEST_F(RadiossTest, WhatIsNotDoneIsRefusedAtOnce) {
 }
 
 TEST_F(RadiossTest, OtherMaterialsRefuseWhereAPartHasThem) {
-  EXPECT_EQ(error(cube_with("/MAT/LAW62/2\nrubber\n1\n/PROP/SPRING/3\nx\n")), no_error);
-  const std::string text = radioss_begin + "/MAT/LAW62/1\nrubber\n1\n" + radioss_property + radioss_cube;
-  EXPECT_THAT(error(text), HasSubstr("/MAT/LAW62/1 (cube_0000.rad:7)"));
+  EXPECT_EQ(error(cube_with("/MAT/LAW70/2\nrubber\n1\n/PROP/SPRING/3\nx\n")), no_error);
+  const std::string text = radioss_begin + "/MAT/LAW70/1\nrubber\n1\n" + radioss_property + radioss_cube;
+  EXPECT_THAT(error(text), HasSubstr("/MAT/LAW70/1 (cube_0000.rad:7)"));
 }
 
 TEST_F(RadiossTest, WrongValuesHaveTheirPlace) {

@@ -166,7 +166,7 @@ TEST_F(RadiossDifferences, PressuresPushAlongTheNormalsOfSegments) {
   EXPECT_THAT(error(pressed(surface("PART/EXT", ten({"1"})))), HasSubstr("/PLOAD/1 of /SURF/PART/EXT/5"));
 }
 
-TEST_F(RadiossDifferences, OgdensEnergyIsDoneWhereItIsMooneysAndRivlins) {
+TEST_F(RadiossDifferences, OgdensEnergyIsMooneysAndRivlinsWhereItIs) {
   const auto rubber = [](const std::string& moduli, const std::string& exponents) {
     return radioss_begin + "/MAT/LAW42/1\nrubber\n" + twenty({1e-9}) + twenty({0.4}) + moduli + "\n" + exponents +
            "\n" + radioss_property + radioss_cube;
@@ -177,8 +177,33 @@ TEST_F(RadiossDifferences, OgdensEnergyIsDoneWhereItIsMooneysAndRivlins) {
   EXPECT_DOUBLE_EQ(neo.bulk_modulus, 4 * 2 * 1.4 / (3 * 0.2));
   const Material mooney = scene(rubber(twenty({3, -1}), twenty({2, -2}))).materials.at(0);
   EXPECT_EQ(*mooney.mooney_rivlin, (MooneyRivlinSettings{1.5, 0.5, 0.4}));
-  EXPECT_THAT(error(rubber(twenty({3, 1}), twenty({2, 1.3}))), HasSubstr("/MAT/LAW42/1 with alpha_2 = 1.3"));
+  const Material powers = scene(rubber(twenty({3, 1}), twenty({2, 1.3}))).materials.at(0);
+  EXPECT_FALSE(powers.mooney_rivlin);
+  EXPECT_EQ(*powers.ogden, (OgdenSettings{{3, 1}, {2, 1.3}, 0.4, false}));
+  EXPECT_DOUBLE_EQ(powers.shear_modulus, 3.65);
+  EXPECT_THAT(error(rubber(twenty({3, 1}), twenty({2, 0}))), HasSubstr("alpha_2"));
   EXPECT_THAT(error(rubber(twenty({3, 4}), twenty({2, -2}))), HasSubstr("Mu_1"));
+}
+
+/// W = sum of 2 mu/alpha^2 (...): the moduli of powers are 2 mu/alpha, and their shear modulus the sum of mu.
+TEST_F(RadiossDifferences, ViscHypWithoutViscosityIsOfWholeStretches) {
+  const auto rubber = [](const std::string& orders, const std::string& lines) {
+    return radioss_begin + "/MAT/LAW62/1\nrubber\n" + twenty({1e-9}) + "                 0.4" + orders + "\n" + lines +
+           radioss_property + radioss_cube;
+  };
+  const Material two = scene(rubber("         2", twenty({3, 0.5}) + twenty({2, -4}))).materials.at(0);
+  EXPECT_EQ(*two.ogden, (OgdenSettings{{3, -0.25}, {2, -4}, 0.4, true}));
+  EXPECT_DOUBLE_EQ(two.shear_modulus, 3.5);
+  const Material six =
+      scene(rubber("         6", twenty({1, 1, 1, 1, 1}) + twenty({2}) + twenty({1, 2, 3, 4, 5}) + twenty({6})))
+          .materials.at(0);
+  EXPECT_EQ(six.ogden->exponents, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  EXPECT_DOUBLE_EQ(six.shear_modulus, 7);
+  EXPECT_THAT(error(rubber("         1         1", twenty({3}) + twenty({2}) + twenty({0.5}) + twenty({1}))),
+              HasSubstr("there is no viscosity"));
+  EXPECT_THAT(error(rubber("         1", twenty({3}) + twenty({2}) + twenty({0.3}))),
+              HasSubstr("with lines behind its exponents"));
+  EXPECT_THAT(error(rubber("         1", twenty({-3}) + twenty({2}))), HasSubstr("Mu_1"));
 }
 
 TEST_F(RadiossDifferences, ABrittleMaterialErodesAsItsIdelSays) {

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <vector>
+
 #include "abaqus_material.hpp"
 
 namespace pinball {
 
-/// *HYPERELASTIC of Mooney and Rivlin, or of Hooke's kind (NEO HOOKE).
+/// *HYPERELASTIC of Mooney and Rivlin, of Hooke's kind (NEO HOOKE) or of powers of stretches (OGDEN).
 struct AbaqusRubber {
-  double a = 0, b = 0;  ///< C10, C01 [stress]
-  double poisson = 0;   ///< of small strains, from D1 [-]
+  double a = 0, b = 0;                        ///< C10, C01 [stress]
+  std::vector<double> moduli{}, exponents{};  ///< of OGDEN: m = 2 mu/alpha, alpha; else none [stress], [-]
+  double poisson = 0;                         ///< of small strains, from D1 [-]
 
-  double young_modulus() const { return 4 * (1 + poisson) * (a + b); }
+  double shear_modulus() const;
+  double young_modulus() const { return 2 * (1 + poisson) * shear_modulus(); }
 };
 
 AbaqusRubber abaqus_rubber(const AbaqusBlock& block);

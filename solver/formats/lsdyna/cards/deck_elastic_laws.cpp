@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <vector>
+
 #include <solver/formats/lsdyna/layouts/definition_cards.hpp>
 
 namespace pinball {
@@ -14,6 +16,31 @@ void set_rubber(DeckData& data, const Fields& f, Cards& cards, const DeckKeys<Ma
   rubber.set("b", f.number("B"));
   rubber.set("poisson_ratio", f.number("PR"));
   keys.set("mooney_rivlin", rubber.value(), "a, b, pr");
+}
+
+void set_ogden(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards,
+               const DeckKeys<Material>& keys) {
+  const Card first = cards.next_or_blank(), second = cards.next_or_blank();
+  const Fields moduli = data.fields(first, layout::ogden_moduli),
+               exponents = data.fields(second, layout::ogden_exponents);
+  std::vector<double> m, a;
+  for (int p = 1; p <= 8; ++p) {
+    const double modulus = moduli.number(fmt::format("MU{}", p)),
+                 exponent = exponents.number(fmt::format("ALPHA{}", p));
+    if (modulus == 0 && exponent == 0) continue;
+    if (modulus == 0 || exponent == 0)
+      moduli.fail(fmt::format("MU{}", p), "expected a modulus with an exponent, both other than 0");
+    m.push_back(modulus);
+    a.push_back(exponent);
+  }
+  if (const auto next = cards.next_filled()) data.report.reject(next->place, block.star_name() + " with viscosity");
+  InnerKeys<OgdenSettings> law;
+  law.set("moduli", m);
+  law.set("exponents", a);
+  law.set("poisson_ratio", f.number("PR"));
+  keys.set("ogden", law.value(), "mu1 to mu8, alpha1 to alpha8, pr");
+  data.report.understood(
+      fmt::format("{} ({}): with this program's energy of volumes", block.star_name(), f.place().text()));
 }
 
 /// PRBA is the contraction along a in tension along b, PRBA/EB = nu_ab/EA, and so on.

@@ -22,7 +22,7 @@ MaterialKeys begin_material(std::int64_t id, const std::string& title, const Key
                             DeckScene& scene) {
   const std::string kind = keyword_alias(block.name);
   const bool plastic = kind != "MAT_ELASTIC" && kind != "MAT_RIGID" && kind != "MAT_MOONEY-RIVLIN_RUBBER" &&
-                       kind != "MAT_ORTHOTROPIC_ELASTIC";
+                       kind != "MAT_OGDEN_RUBBER" && kind != "MAT_ORTHOTROPIC_ELASTIC";
   auto keys = scene.entry<Material>("material", {block.star_name(), f.place()});
   keys.comment(title);
   keys.set("name", fmt::format("mat_{}", id));
@@ -46,6 +46,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_SOIL_AND_FOAM" || kind == "MAT_SOIL_AND_FOAM_FAILURE") return layout::soil;
   if (kind == "MAT_CRUSHABLE_FOAM") return layout::crushable_foam;
   if (kind == "MAT_MOONEY-RIVLIN_RUBBER") return layout::mooney_rivlin;
+  if (kind == "MAT_OGDEN_RUBBER") return layout::ogden;
   if (kind == "MAT_ORTHOTROPIC_ELASTIC") return layout::orthotropic;
   if (kind == "MAT_POWER_LAW_PLASTICITY") return layout::power_law;
   if (kind == "MAT_ISOTROPIC_ELASTIC_PLASTIC") return layout::isotropic_plastic;
@@ -359,6 +360,10 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
   data.reject_state_equations(id, block.star_name());
   if (kind == "MAT_MOONEY-RIVLIN_RUBBER") {
     set_rubber(data, f, cards, keys);
+    return;
+  }
+  if (kind == "MAT_OGDEN_RUBBER") {
+    set_ogden(data, block, f, cards, keys);
     return;
   }
   if (kind == "MAT_ORTHOTROPIC_ELASTIC") {

@@ -215,6 +215,21 @@ inline constexpr CardLayout mooney_rivlin{material_id,
 inline constexpr CardLayout mooney_rivlin_test{number("SGL").rejected(of_a_test), number("SW").rejected(of_a_test),
                                                number("ST").rejected(of_a_test), whole("LCID").rejected(of_a_test)};
 
+inline constexpr std::string_view not_viscous = "leave it 0: there is no viscosity";
+inline constexpr CardLayout ogden{material_id,
+                                  density,
+                                  poisson,
+                                  whole("N").rejected("leave it 0, and give MU and ALPHA: they are not fitted"),
+                                  whole("NV").reported("there is no test"),
+                                  number("G").rejected(not_viscous),
+                                  number("SIGF").rejected(not_viscous),
+                                  number("REF").rejected("leave it 0: the mesh has no stress")};
+inline constexpr CardLayout ogden_moduli{material_stress("MU1"), material_stress("MU2"), material_stress("MU3"),
+                                         material_stress("MU4"), material_stress("MU5"), material_stress("MU6"),
+                                         material_stress("MU7"), material_stress("MU8")};
+inline constexpr CardLayout ogden_exponents{number("ALPHA1"), number("ALPHA2"), number("ALPHA3"), number("ALPHA4"),
+                                            number("ALPHA5"), number("ALPHA6"), number("ALPHA7"), number("ALPHA8")};
+
 inline constexpr std::string_view of_other_axes = "of another AOPT than 2";
 inline constexpr CardLayout orthotropic{material_id,
                                         density,

@@ -30,7 +30,8 @@ struct Beside {
 bool is_done_material(const std::string& name) {
   return name == "MAT/ELAST" || name == "MAT/RIGID" || name == "MAT/PLAS_JOHNS" || name == "MAT/HYD_JCOOK" ||
          name == "MAT/HYDPLA" || name == "MAT/PLAS_TAB" || name == "MAT/COWPER" || name == "MAT/OGDEN" ||
-         name == "MAT/JOHN_HOLM" || name == "MAT/DPRAG" || name == "MAT/DPRAG1" || name == "MAT/FOAM_PLAS";
+         name == "MAT/VISC_HYP" || name == "MAT/JOHN_HOLM" || name == "MAT/DPRAG" || name == "MAT/DPRAG1" ||
+         name == "MAT/FOAM_PLAS";
 }
 
 /// VP: 2 where it is 0.
@@ -312,7 +313,8 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   const auto keys = scene.entry<Material>("material", card_of(block, first.place));
   keys.comment(lines.title());
   keys.set("name", fmt::format("mat_{}", block.id()));
-  const bool elastic = block.name == "MAT/ELAST" || block.name == "MAT/RIGID", rubber = block.name == "MAT/OGDEN";
+  const bool elastic = block.name == "MAT/ELAST" || block.name == "MAT/RIGID",
+             rubber = block.name == "MAT/OGDEN" || block.name == "MAT/VISC_HYP";
   keys.set("model", elastic || rubber ? "elastic" : "von_mises");
   keys.set("density", density, "RHO_I");
   const bool johnson = block.name == "MAT/PLAS_JOHNS",
@@ -335,7 +337,8 @@ void translate_material(RadiossData& data, const RadiossBlock& block, const Besi
   if (block.name == "MAT/FOAM_PLAS") set_foam_plas(data, block, lines, keys);
   if (block.name == "MAT/DPRAG") set_dprag(data, block, lines, keys);
   if (block.name == "MAT/DPRAG1") set_dprag1(data, block, lines, beside.state_equation, keys);
-  if (rubber) set_ogden(data, block, lines, keys);
+  if (block.name == "MAT/OGDEN") set_ogden(data, block, lines, keys);
+  if (block.name == "MAT/VISC_HYP") set_visc_hyp(data, block, lines, keys);
 }
 
 }  // namespace

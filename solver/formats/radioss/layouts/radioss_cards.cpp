@@ -62,6 +62,9 @@ void add_materials(Table& table) {
   add(table, "MAT/COWPER",
       {&r::density, &r::cowper_elasticity, &r::cowper_hardening, &r::cowper_rate, &r::cowper_failure,
        &r::cowper_function});
+  add(table, "MAT/VISC_HYP",
+      {&r::density, &r::visc_hyp, &r::ogden_moduli, &r::ogden_moduli_more, &r::ogden_exponents,
+       &r::ogden_exponents_more});
   add(table, "MAT/OGDEN",
       {&r::density, &r::ogden_volume, &r::ogden_moduli, &r::ogden_moduli_more, &r::ogden_exponents,
        &r::ogden_exponents_more});

@@ -107,6 +107,9 @@ inline constexpr CardLayout ogden_volume{real("nu", 0.495),
                                          real("Fscale_bulk", 1).reported("there is no funIDbulk"),
                                          whole("M").rejected("there is no viscosity: leave it 0"),
                                          whole("Iform", 1).from(0, 2)};
+inline constexpr CardLayout visc_hyp{
+    real("nu").from(0, 1), whole("N").always().from(1, 10), whole("M").rejected("there is no viscosity: leave it 0"),
+    real("mu_max").reported("there is no viscosity"), whole("Flag_Visc").reported("there is no viscosity")};
 inline constexpr CardLayout ogden_moduli{real("Mu_1"), real("Mu_2"), real("Mu_3"), real("Mu_4"), real("Mu_5")};
 inline constexpr CardLayout ogden_moduli_more{real("Mu_6"), real("Mu_7"), real("Mu_8"), real("Mu_9"), real("Mu_10")};
 inline constexpr CardLayout ogden_exponents{real("alpha_1"), real("alpha_2"), real("alpha_3"), real("alpha_4"),
