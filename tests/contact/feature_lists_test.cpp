@@ -131,6 +131,20 @@ class ErodingBlocks {
       return active(e) && active(f) && !surface_.beside(edges_.segments_of(e), edges_.segments_of(f));
     });
   }
+  /// Listed pairs of edges of which one is known to stay flat, each of which has one that is; flat: flat_at_end or
+  /// flat_along; cosine: between the faces of those that are sharp.
+  int flat_pairs(const Lists& lists, std::uint8_t flat, double cosine) const {
+    int count = 0;
+    const ListPieces& pieces = lists.edges().pieces;
+    for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
+      for (std::int64_t at = pieces.begin[piece]; at < pieces.end[piece]; ++at) {
+        if (lists.edges().template flat_bits<1>(at, flat) == 0) continue;
+        ++count;
+        EXPECT_TRUE(is_flat(lists.edges().first[at], cosine) || is_flat(lists.edges().second[at], cosine));
+      }
+    }
+    return count;
+  }
   /// Whether some of the pairs are of one body.
   bool of_one_body(const Pairs& nodes) const {
     return std::any_of(nodes.begin(), nodes.end(), [this](const Lists::Pair& pair) {
@@ -140,6 +154,16 @@ class ErodingBlocks {
 
  private:
   ModelSurface<double> source() const { return ModelSurface<double>(model_); }
+  bool is_flat(std::int32_t edge, double cosine) const {
+    std::vector<Vec3<double>> normals;
+    for (const std::int32_t s : edges_.segments_of(edge)) {
+      if (!surface_.active_segment(s)) continue;
+      const auto x = [&](int k) { return vector_of(source().x(surface_.segments()[s].node[k])); };
+      const Vec3<double> area = cross(x(2) - x(0), x(3) - x(1));
+      normals.push_back((1 / std::sqrt(dot(area, area))) * area);
+    }
+    return normals.size() > 1 && dot(normals[0], normals[1]) >= cosine;
+  }
 
   Model<double> model_;
   SegmentSurface<double> surface_{source(), surface_topology(model_)};
@@ -255,6 +279,40 @@ TEST_P(FollowedLists, HaveAllThatNodesMeetThatStray) {
 TEST_P(FollowedLists, HaveAllThatSegmentsMeetThatTurn) {
   ErodingBlocks blocks(0.01 * GetParam().speed, GetParam().size, false);
   expect_to_follow(blocks, false);
+}
+
+/// Nodes that are thrown by an element make edges sharp that were flat.
+TEST(FeatureLists, KnowWhichEdgesStayFlat) {
+  using Edges = ListedEdges<double>;
+  ErodingBlocks blocks(0.003, 1);
+  Random random(37);
+  Lists lists;
+  blocks.build(lists);
+  lists.count_step(ErodingBlocks::dt);
+  EXPECT_GT(blocks.flat_pairs(lists, Edges::flat_at_end, sharp_at_end), 0);
+  EXPECT_GT(blocks.flat_pairs(lists, Edges::flat_along, sharp_along), 0);
+  for (int step = 0; step < 15; ++step) {
+    blocks.move(random);
+    if (!blocks.hold(lists)) {
+      ASSERT_TRUE(blocks.follow_strays(lists));
+    }
+    blocks.flat_pairs(lists, Edges::flat_at_end, sharp_at_end);
+    blocks.flat_pairs(lists, Edges::flat_along, sharp_along);
+    lists.count_step(ErodingBlocks::dt);
+  }
+}
+
+TEST(FeatureLists, KnowThatErosionMakesEdgesSharp) {
+  using Edges = ListedEdges<double>;
+  ErodingBlocks blocks(0.003, 1);
+  Lists lists;
+  blocks.build(lists);
+  ASSERT_GT(blocks.flat_pairs(lists, Edges::flat_at_end, sharp_at_end), 0);
+  for (int times = 0; times < 8; ++times) {
+    blocks.erode_next(8);
+    blocks.follow(lists);
+    blocks.flat_pairs(lists, Edges::flat_at_end, sharp_at_end);
+  }
 }
 
 TEST(FeatureLists, ThatManyNodesHaveLeftAreToBeMadeAnew) {

@@ -25,11 +25,6 @@ constexpr double least_sine = 1e-6;
 /// [-].
 constexpr double slack = 0.2;
 
-/// Cosine between the faces of an edge from which on it meets others at its ends: their nodes need not look at what
-/// they touch. On a flat surface nodes at crossings meet faces. And from which on it meets edges that are nearly
-/// parallel.
-constexpr double sharp_at_end = 0.9, sharp_along = 0.5;
-
 /// Whether points of two edges lie on them, but for a margin, and whether on an end of either.
 bool is_within(const EdgePair<double>& at) {
   const auto within = [](double s) { return s > -end_margin && s < 1 + end_margin; };
@@ -191,6 +186,8 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const SegmentSurface
     const Vec3<T> beside = to - (dot(to, u) / dot(u, u)) * u;
     const T reach = near + number<T>(small_sine) * square_root(dot(v, v));
     const auto lie_along = pair.sine2 < number<T>(1.1 * small_sine * small_sine) && dot(beside, beside) < reach * reach;
+    unsigned bits = lane_bits<T>(cross_here || lie_along);
+    if (bits == 0) continue;
     // What only sharp edges do, for sure: to meet at an end, to lie along each other.
     const auto is_end = [](const T& s) {
       return s < number<T>(0.9 * end_margin) || s > number<T>(1 - 0.9 * end_margin);
@@ -198,7 +195,9 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const SegmentSurface
     const unsigned at_end =
         lane_bits<T>(pair.sine2 > number<T>(1.1 * small_sine * small_sine) && (is_end(pair.s) || is_end(pair.t)));
     const unsigned along = lane_bits<T>(pair.sine2 < number<T>(0.9 * small_sine * small_sine));
-    for (unsigned bits = lane_bits<T>(cross_here || lie_along); bits != 0; bits &= bits - 1) {
+    bits &= ~((at_end & pairs.template flat_bits<W>(place, EdgePairs::flat_at_end)) |
+              (along & pairs.template flat_bits<W>(place, EdgePairs::flat_along)));
+    for (; bits != 0; bits &= bits - 1) {
       const int i = lowest_bit(bits);
       const std::int64_t at = place + i;
       if (at < part.begin || at >= part.end) continue;

@@ -91,6 +91,7 @@ void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<
   const std::int32_t segments = surface.segments().size();
   node_box_.resize(surface.slaves().size());
   facing_.resize(surface.segments().size());
+  angle_on_way_.resize(surface.segments().size());
   boxes_.reset(segments + spheres.count());
   if (order_.empty()) {
     bound_segments(nodes, surface, scope, false);
@@ -142,8 +143,10 @@ void FeatureBounds<S>::bound_segments(const NodeRecords<S>& nodes, const Segment
       v[k] = gather_vectors<T>(nodes.velocity, node[k]);
       allowance[k] = load<T>(allowed[k]);
     }
-    const Facing<T> facing = facing_of(x, v, allowance, strays_ahead<S>);
+    T on_way;
+    const Facing<T> facing = facing_of(x, v, allowance, strays_ahead<S>, &on_way);
     for (int i = 0; i < count; ++i) {
+      angle_on_way_[number[i]] = lane(on_way, i);
       facing_[number[i]] = {{lane(facing.normal.x, i), lane(facing.normal.y, i), lane(facing.normal.z, i)},
                             lane(facing.angle, i)};
     }
@@ -309,20 +312,25 @@ void FeatureBounds<S>::renew_box(const SegmentSurface<S>& surface, std::int32_t 
 /// The diagonals span the face; each of their ends may go the way that it makes more than their mean, and stray.
 template <class S>
 template <class T>
-Facing<T> FeatureBounds<S>::facing_of(const Vec3<T> (&x)[4], const Vec3<T> (&v)[4], const T (&allowance)[4],
-                                      S strays) const {
+Facing<T> FeatureBounds<S>::facing_of(const Vec3<T> (&x)[4], const Vec3<T> (&v)[4], const T (&allowance)[4], S strays,
+                                      T* angle_on_way) const {
   Vec3<T> diagonal[2];
-  T length[2], turned(0);
+  T length[2], turned(0), turned_on_way(0);
   for (int d = 0; d < 2; ++d) {
     diagonal[d] = x[d + 2] - x[d];
     length[d] = square_root(dot(diagonal[d], diagonal[d]));
     const Vec3<T> apart = v[d + 2] - v[d];
-    const T way = T(horizon_) * square_root(dot(apart, apart)) + T(strays) * (allowance[d] + allowance[d + 2]);
-    turned = turned + way / length[d];
+    const T made = T(horizon_) * square_root(dot(apart, apart)), stray = allowance[d] + allowance[d + 2];
+    turned = turned + (made + T(strays) * stray) / length[d];
+    if (angle_on_way != nullptr) turned_on_way = turned_on_way + (made + stray) / length[d];
   }
   const Vec3<T> area = cross(diagonal[0], diagonal[1]);
   const T inverse = T(1) / square_root(dot(area, area));
-  const T angle = number<T>(1.2) * turned * (length[0] * length[1]) * inverse;  // the arcus sine of up to 0.8
+  const auto angle_of = [&](const T& way) {  // the arcus sine of up to 0.8
+    return number<T>(1.2) * way * (length[0] * length[1]) * inverse;
+  };
+  const T angle = angle_of(turned);
+  if (angle_on_way != nullptr) *angle_on_way = angle_of(turned_on_way);
   // if (it is larger, or there is no area) any direction
   const auto known = angle < number<T>(0.96);
   const auto along = [&](const T& component) { return select(known, inverse * component, T(0)); };
@@ -347,8 +355,8 @@ Facing<S> FeatureBounds<S>::facing_of_all(std::span<const std::int32_t> segments
 template <class S>
 std::size_t FeatureBounds<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return boxes_.bytes() + of(node_box_) + of(facing_) + of(order_) + of(place_) + of(around_) + of(around_begin_) +
-         directions_.bytes();
+  return boxes_.bytes() + of(node_box_) + of(facing_) + of(angle_on_way_) + of(order_) + of(place_) + of(around_) +
+         of(around_begin_) + directions_.bytes();
 }
 
 template class FeatureBounds<double>;

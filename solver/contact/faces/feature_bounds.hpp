@@ -67,6 +67,8 @@ class FeatureBounds {
   const MovingBox<S>& node_box(std::int32_t slave) const { return node_box_[slave]; }
   MovingBox<S> edge_box(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t edge) const;
   const Facing<S>& facing(std::int32_t segment) const { return facing_[segment]; }
+  /// The angle of facing() while no corner has strayed, as of the last update() [radians].
+  S angle_on_way(std::int32_t segment) const { return angle_on_way_[segment]; }
   /// Of several segments together: those around a node or at an edge.
   Facing<S> facing_of_all(std::span<const std::int32_t> segments) const;
   std::size_t bytes() const;
@@ -74,9 +76,10 @@ class FeatureBounds {
  private:
   MovingBox<S> box_of(const Vec3<S>& x, const Vec3<S>& v, std::int32_t node) const;
   /// x, v: where the corners of a segment are at the start, and their velocities; allowance: theirs; strays: by how
-  /// many of these they may stray.
+  /// many of these they may stray. angle_on_way: that by one, if it is not null.
   template <class T>
-  Facing<T> facing_of(const Vec3<T> (&x)[4], const Vec3<T> (&v)[4], const T (&allowance)[4], S strays) const;
+  Facing<T> facing_of(const Vec3<T> (&x)[4], const Vec3<T> (&v)[4], const T (&allowance)[4], S strays,
+                      T* angle_on_way = nullptr) const;
 
   /// Where segments look and, with_boxes, their boxes, a pack after the other in the order of the boxes.
   void bound_segments(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const ListScope<S>& scope,
@@ -90,6 +93,7 @@ class FeatureBounds {
   MovingBoxes<S> boxes_;
   std::vector<MovingBox<S>> node_box_;
   std::vector<Facing<S>> facing_;
+  std::vector<S> angle_on_way_;
   std::vector<std::int32_t> order_, place_;  ///< segments in the order of their boxes; per segment: its box
   /// Segments around the nodes of those of each group, one group after the other, and where each begins.
   std::vector<std::int32_t> around_, around_begin_;

@@ -45,6 +45,7 @@ bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const Edg
     changed_slaves_.insert(changed_slaves_.end(), slaves.begin(), slaves.end());
   }
   const std::int64_t before = entries();
+  edges_.forget_flat();
   mark_changed(surface);
   take_in_more(surface, edges, spheres);
   return entries() > before;
@@ -71,6 +72,7 @@ bool FeatureLists<S>::follow_strays(const SurfaceSource<S>& source, const Segmen
   motion_.restart(strayed_, source.position, source.velocity, skin_, clock_.elapsed(),
                   scope_.horizon - clock_.elapsed());
   bounds_.move(surface, strayed_, scope_);
+  edges_.forget_flat();
   changed_slaves_ = strayed_;
   for (const std::int32_t slave : strayed_) {
     for (const std::int32_t s : surface.around(slave)) {

@@ -149,6 +149,7 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
   nodes_.fill(surface);
   edges_.sort(edges.edges().size(), native_width<S>, true);
   edges_.fill(surface, edges);
+  edges_.find_flat(surface, edges, bounds_);
   join_sphere_pairs();
   was_active_.resize(surface.segments().size());
   parallel_for("active segments", RangePolicy<>{0, segments},

@@ -67,6 +67,11 @@ inline constexpr double deepest_edges = 0.1;
 /// one at the other edge. What lies beside each other on one surface does not.
 inline constexpr double most_facing = 0.2;
 
+/// Cosine between the faces of an edge from which on it meets others at its ends: their nodes need not look at what
+/// they touch. On a flat surface nodes at crossings meet faces. And from which on it meets edges that are nearly
+/// parallel.
+inline constexpr double sharp_at_end = 0.9, sharp_along = 0.5;
+
 /// How far a gap may be open although nothing closes it yet, over the size of the pair: forces may in the coming step.
 inline constexpr double open_gap = 0.02;
 
