@@ -39,10 +39,10 @@ namespace pinball {
 /// whether the pack is done: false where it is one of the rare cases that the features leave out, and then nothing has
 /// changed, and nothing after ahead(1) was called.
 template <class T, ElementFeatures features, int L = width_of<T>, class N, class Forces, class Ahead = NothingAhead>
-PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<N>& nodes,
-                                          const ElementConstants<ScalarOf<T>>& constants,
-                                          const ElementStep<ScalarOf<T>>& step, std::int64_t pack, int pack_in_tile,
-                                          ElementSums<T>& sums, const Forces& forces, const Ahead& ahead = {}) {
+PINBALL_KERNEL bool update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<N>& nodes,
+                                        const ElementConstants<ScalarOf<T>>& constants,
+                                        const ElementStep<ScalarOf<T>>& step, std::int64_t pack, int pack_in_tile,
+                                        ElementSums<T>& sums, const Forces& forces, const Ahead& ahead = {}) {
   const ScalarOf<T> dt = step.length;
   const ElementPack<T, L> own(elements, pack * width_of<T>);
   if (!any_lane(own.alive)) return true;

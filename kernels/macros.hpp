@@ -23,6 +23,15 @@
 #define PINBALL_OUTLINED [[gnu::noinline]] inline
 #endif
 
+/// A whole kernel, which a loop calls for each pack. Inlined by force it would be optimised anew in every function
+/// between it and the loop, which is a third of its compiling, and spill more. Static: a source has its own, so that no
+/// linker takes that of a test, which is optimised less, for that of the library. On a device it is a part of its loop.
+#if defined(PINBALL_DEVICE_COMPILER)
+#define PINBALL_KERNEL PINBALL_FUNCTION
+#else
+#define PINBALL_KERNEL [[gnu::noinline]] static
+#endif
+
 /// Of the host: called, and there once in machine code, for every caller the same bits. (GCC may keep a copy of a
 /// function for some of its callers.)
 #if defined(__clang__) || defined(PINBALL_DEVICE_COMPILER)

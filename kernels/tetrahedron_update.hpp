@@ -23,10 +23,10 @@ namespace pinball {
 
 /// features: plastic, with YieldLaw::general and no hourglass control. Parameters as of update_element_pack.
 template <class T, ElementFeatures features, int L = width_of<T>, class N, class Forces>
-PINBALL_FUNCTION void update_tetrahedron_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<N>& nodes,
-                                              const ElementConstants<ScalarOf<T>>& constants,
-                                              const ElementStep<ScalarOf<T>>& step, std::int64_t pack, int pack_in_tile,
-                                              ElementSums<T>& sums, const Forces& forces) {
+PINBALL_KERNEL void update_tetrahedron_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<N>& nodes,
+                                            const ElementConstants<ScalarOf<T>>& constants,
+                                            const ElementStep<ScalarOf<T>>& step, std::int64_t pack, int pack_in_tile,
+                                            ElementSums<T>& sums, const Forces& forces) {
   static_assert(features.plastic && features.hourglass == HourglassKind::none && features.yield == YieldLaw::general);
   const ScalarOf<T> dt = step.length;
   const ElementPack<T, L> own(elements, pack * width_of<T>);
