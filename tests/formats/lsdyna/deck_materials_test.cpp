@@ -337,6 +337,19 @@ TEST_F(DeckMaterials, MooneyAndRivlinHaveTheirConstants) {
   EXPECT_THAT(error(rubber("0.5,0.3,0.1")), HasSubstr("poisson_ratio"));
 }
 
+TEST_F(DeckMaterials, OgdensRubberHasPowers) {
+  const auto rubber = [](const std::string& moduli, const std::string& exponents, const std::string& more = "") {
+    return cube + ends + "*MAT_077_O\n1,1.1E-9,0.495\n" + moduli + "\n" + exponents + "\n" + more;
+  };
+  const Material m = material(rubber("0.63,0.0012,-0.01", "1.3,5.,-2."));
+  EXPECT_FALSE(m.plastic);
+  EXPECT_EQ(*m.ogden, (OgdenSettings{{0.63, 0.0012, -0.01}, {1.3, 5, -2}, 0.495, false}));
+  EXPECT_DOUBLE_EQ(m.shear_modulus, 0.4225);
+  EXPECT_THAT(error(rubber("0.63,0.1", "1.3")), HasSubstr("expected a modulus with an exponent"));
+  EXPECT_THAT(error(rubber("0.63", "1.3", "0.2,100.\n")), HasSubstr("with viscosity"));
+  EXPECT_THAT(error(rubber("0.63", "-1.3")), HasSubstr("ogden.moduli"));
+}
+
 TEST_F(DeckMaterials, NullIsAFluidWithAnEquationOfState) {
   const auto null = [](const std::string& card) {
     std::string deck = steel(grueneisen);
