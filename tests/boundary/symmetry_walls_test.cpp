@@ -14,14 +14,7 @@ namespace {
 
 class SymmetryWall : public FolderTest {};
 
-/// A cube from x = 1 to 2; the plane is where its set lies, wherever the scene's point is.
-TEST_F(SymmetryWall, OfASetGoesThroughItsNodes) {
-  std::ofstream(folder_ / "cube.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
-                                         "$PhysicalNames\n2\n2 1 \"cut\"\n3 2 \"cube\"\n$EndPhysicalNames\n"
-                                         "$Nodes\n8\n1 1 0 0\n2 2 0 0\n3 2 1 0\n4 1 1 0\n"
-                                         "5 1 0 1\n6 2 0 1\n7 2 1 1\n8 1 1 1\n$EndNodes\n"
-                                         "$Elements\n2\n1 3 2 1 1 1 4 8 5\n2 5 2 2 2 1 2 3 4 5 6 7 8\n$EndElements\n";
-  std::ofstream(folder_ / "scene.toml") << R"(units = "kg-m-s"
+constexpr const char* soft = R"(units = "kg-m-s"
 [time]
 end = 1
 [[material]]
@@ -32,7 +25,16 @@ young_modulus = 1e9
 poisson_ratio = 0.3
 yield_stress = 1e6
 erosion_strain = 0.5
-[[body]]
+)";
+
+/// A cube from x = 1 to 2; the plane is where its set lies, wherever the scene's point is.
+TEST_F(SymmetryWall, OfASetGoesThroughItsNodes) {
+  std::ofstream(folder_ / "cube.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                                         "$PhysicalNames\n2\n2 1 \"cut\"\n3 2 \"cube\"\n$EndPhysicalNames\n"
+                                         "$Nodes\n8\n1 1 0 0\n2 2 0 0\n3 2 1 0\n4 1 1 0\n"
+                                         "5 1 0 1\n6 2 0 1\n7 2 1 1\n8 1 1 1\n$EndNodes\n"
+                                         "$Elements\n2\n1 3 2 1 1 1 4 8 5\n2 5 2 2 2 1 2 3 4 5 6 7 8\n$EndElements\n";
+  std::ofstream(folder_ / "scene.toml") << soft << R"([[body]]
 name = "cube"
 material = "soft"
 mesh = { type = "gmsh", file = "cube.msh" }
@@ -64,18 +66,7 @@ TEST_F(SymmetryWall, OfABodyTurnsNodesRoundThatItShares) {
                                           "9 3 0 0\n10 3 1 0\n11 3 0 1\n12 3 1 1\n$EndNodes\n"
                                           "$Elements\n2\n1 5 2 1 1 1 2 3 4 5 6 7 8\n"
                                           "2 5 2 2 2 2 9 10 3 6 11 12 7\n$EndElements\n";
-  std::ofstream(folder_ / "scene.toml") << R"(units = "kg-m-s"
-[time]
-end = 1
-[[material]]
-name = "soft"
-model = "von_mises"
-density = 1000
-young_modulus = 1e9
-poisson_ratio = 0.3
-yield_stress = 1e6
-erosion_strain = 0.5
-[[body]]
+  std::ofstream(folder_ / "scene.toml") << soft << R"([[body]]
 name = "first"
 material = "soft"
 mesh = { type = "gmsh", file = "cubes.msh", physical = "first" }

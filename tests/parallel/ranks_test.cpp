@@ -179,13 +179,7 @@ TEST(Ranks, SendEnergiesOfSpansThatAreDueAlone) {
     EXPECT_GT(energy.kinetic, 0);
     EXPECT_TRUE(ranks.number() == 0 || domain.next_order() == RankOrder::end);
   };
-  on_ranks(
-      3, {},
-      [&](ThreadRanks& ranks) {
-        check(ranks);
-        return 0;
-      },
-      check);
+  on_ranks(3, {}, check, check);
 }
 
 /// Nodes deep inside what another rank works, as if erosion had brought them to the surface.
@@ -224,13 +218,7 @@ TEST(Ranks, MoveNodesThatHaveBecomeCommonFromThenOn) {
     EXPECT_EQ(domain.work().common_nodes, last - first);
     EXPECT_TRUE(ranks.number() == 0 || domain.next_order() == RankOrder::end);
   };
-  on_ranks(
-      3, {},
-      [&](ThreadRanks& ranks) {
-        check(ranks);
-        return 0;
-      },
-      check);
+  on_ranks(3, {}, check, check);
 }
 
 TEST(Ranks, SendAsManyBytesOfContactInAStepAsTheyReport) {
