@@ -7,7 +7,7 @@
 #include <solver/base/error.hpp>
 #include <solver/base/point.hpp>
 #include <solver/model/model_surface.hpp>
-#include <solver/model/selection/node_selection.hpp>
+#include <solver/model/selection/wall_nodes.hpp>
 
 #include "rigid_walls.hpp"
 
@@ -29,12 +29,6 @@ Point near_point(const Plane& plane, const Point& node, double mesh_size) {
 template <class S>
 void copy_to(const Point& from, S* to) {
   for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<S>(from[k]);
-}
-
-/// All nodes where nothing says which.
-std::vector<std::int32_t> nodes_behind(const ModelMesh& mesh, const RigidWall& wall) {
-  const NodeSelection nodes = nodes_of(wall);
-  return nodes.all() && nodes.without.empty() ? matching_nodes(mesh, nodes) : select_nodes(mesh, nodes);
 }
 
 /// Whether the foot of a node on the plane is on what there is of it.
@@ -98,7 +92,7 @@ typename RigidWalls<S>::Wall RigidWalls<S>::wall_of(const Model<S>& model, const
   Wall wall{plane, given.when, WallMotion(given), kernels.wall(plane.friction > S(0)), {}};
   if (model.scene.contact.method != ContactMethod::none) {
     wall.takes.assign(model.nodes.count, 0);
-    for (const std::int32_t n : nodes_behind(model.mesh, given)) wall.takes[model.node_of_scene_node[n]] = 1;
+    for (const std::int32_t n : nodes_of_wall(model.mesh, given)) wall.takes[model.node_of_scene_node[n]] = 1;
   }
   return wall;
 }
@@ -108,7 +102,7 @@ void RigidWalls<S>::stand_back(const Model<S>& model, const RigidWall& given, Wa
   const PlaceTolerance tolerance(model.mesh, given.nodes.tolerance);
   double deepest = 1e-9 * mesh_size(model.mesh);
   const double exact = deepest;
-  for (const std::int32_t n : nodes_behind(model.mesh, given)) {
+  for (const std::int32_t n : nodes_of_wall(model.mesh, given)) {
     double gap = 0;
     for (std::size_t k = 0; k < 3; ++k) gap += (model.mesh.nodes[n][k] - given.plane.point[k]) * given.plane.normal[k];
     if (gap < -tolerance.of(n)) {
@@ -134,7 +128,7 @@ void RigidWalls<S>::take_held_directions(const Model<S>& model) {
     std::vector<WallHold<S>> holds;
     std::vector<std::pair<std::int32_t, WallHold<S>>> held_nodes;
     const bool rubs = walls_[w].plane.friction > S(0);
-    for (const std::int32_t n : nodes_behind(model.mesh, given)) {
+    for (const std::int32_t n : nodes_of_wall(model.mesh, given)) {
       const std::int32_t node = model.node_of_scene_node[n];
       Point free = given.plane.normal;
       for (const Point& h : held.of(node)) {
@@ -175,7 +169,7 @@ double RigidWalls<S>::leap_of_begun(const Model<S>& model, double from, double t
     if (wall.motion.moves())
       speed = wall.motion.is_pushed() ? results_[w].velocity : wall.motion.given_velocity(start, {0, dt});
     const S* const normal = wall.plane.normal;
-    for (const std::int32_t n : nodes_behind(model.mesh, model.scene.rigid_walls[w])) {
+    for (const std::int32_t n : nodes_of_wall(model.mesh, model.scene.rigid_walls[w])) {
       const std::int32_t node = model.node_of_scene_node[n];
       const S* const v = model.nodes.velocity_of(node);
       const double rate = normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2];
@@ -197,7 +191,7 @@ std::vector<InitialOverlap> RigidWalls<S>::passed_by_begun(const Model<S>& model
     if (!begins(wall, from, to) || !wall.when.contains(to)) continue;
     std::vector<InitialOverlap> of_body(model.mesh.body_names.size());
     std::vector<bool> is_above(of_body.size(), !given.edge);
-    for (const std::int32_t n : nodes_behind(model.mesh, given)) {
+    for (const std::int32_t n : nodes_of_wall(model.mesh, given)) {
       const S* const x = model.nodes.position_of(model.node_of_scene_node[n]);
       const double height = wall_height(wall.plane, x) - results_[w].displacement;
       const std::size_t body = model.mesh.body_of_node[n];

@@ -9,7 +9,7 @@
 
 #include <solver/base/counted.hpp>
 #include <solver/model/place_names.hpp>
-#include <solver/model/selection/node_selection.hpp>
+#include <solver/model/selection/wall_nodes.hpp>
 
 #include "driven_motion.hpp"
 #include "time_course.hpp"
@@ -21,12 +21,6 @@ namespace {
 constexpr double aligned = 1 - 1e-9;  ///< of a direction with a normal [-]
 constexpr double deep = 1e-6;         ///< what counts as through, over the size of the mesh [-]
 constexpr double begun_deep = 1e-5;   ///< the same where a wall begins: less it takes (rigid_walls.hpp) [-]
-
-/// All where nothing says which.
-std::vector<std::int32_t> nodes_of_wall(const ModelMesh& mesh, const RigidWall& wall) {
-  const NodeSelection nodes = nodes_of(wall);
-  return nodes.all() && nodes.without.empty() ? matching_nodes(mesh, nodes) : select_nodes(mesh, nodes);
-}
 
 /// One look at one wall.
 class PassedWall {
