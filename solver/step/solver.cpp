@@ -13,6 +13,7 @@
 
 #include "energy/drift_energy.hpp"
 #include "host_step.hpp"
+#include "marked_times.hpp"
 #include "places.hpp"
 #include "report.hpp"
 #include "require_built.hpp"
@@ -77,6 +78,7 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
       clock_(model_.scene.time, model_.scene.damping.mass),
       guards_(model_, clock_),
       rigid_at_planes_(model_) {
+  clock_.mark(marked_times(model_.scene));
   if (contact() != nullptr) {
     clock_.limit_by_impact_speed(longest_contact_step(model_));
     initial_overlaps_ = find_initial_overlaps(model_.scene, model_.mesh);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <solver/base/same_time.hpp>
+
 namespace pinball {
 
 namespace {
@@ -97,9 +99,15 @@ void StepClock::choose(const Due& due, const StepBound& bound, double closing) {
   }
 }
 
+double StepClock::at_mark(double time) const {
+  const double far = same_time * dt_;
+  const auto mark = std::ranges::lower_bound(marks_, time - far);
+  return mark != marks_.end() && *mark <= time + far ? *mark : time;
+}
+
 void StepClock::advance(const Due& due) {
   if (due.last) return;
-  time_ += dt_;
+  time_ = at_mark(time_ + dt_);
   ++steps_;
 }
 

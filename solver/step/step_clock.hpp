@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include <kernels/boundary/external_work.hpp>
 #include <solver/base/state_archive.hpp>
@@ -37,6 +39,10 @@ class StepClock {
   /// Whether time.end or time.steps will be reached by a cycle of steps of which the last is still to be made.
   bool at_end(std::int32_t cycle_steps) const;
 
+  /// Times that time() has to the last digit where steps lead to them but for what sums of these are rounded by
+  /// (same_time): so that what begins at the time of a step begins there. In order.
+  void mark(std::vector<double> times) { marks_ = std::move(times); }
+
   /// No step is longer from now on, whatever is stable (longest_contact_step).
   void limit_by_impact_speed(double step);
   double longest_impact_step() const { return longest_impact_step_; }
@@ -59,8 +65,10 @@ class StepClock {
   double longest_step(double stable) const;
   double step_into_impact(double stable, double closing) const;
   bool may_be_raised(double step) const;
+  double at_mark(double time) const;
 
   double end_, cfl_, damping_;
+  std::vector<double> marks_;
   std::int64_t steps_at_end_;
   double time_ = 0, force_time_ = 0, dt_ = 0, dt_before_ = 0;
   std::int64_t steps_ = 0;
