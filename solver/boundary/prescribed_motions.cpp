@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <solver/base/point.hpp>
+#include <solver/base/same_time.hpp>
 
 namespace pinball {
 
@@ -22,7 +24,14 @@ double displacement(const TimeTable& table, MotionQuantity quantity, double time
 }
 
 double mean_factor(const PrescribedVelocity& given, double time, const StepLengths& step) {
-  return mean_factor(given.table, given.quantity, time, step);
+  return mean_factor(given.table, given.quantity, given.when, time, step);
+}
+
+/// The part of the coming step's way that is the curve's: what it has done since `start` where that lies within the
+/// step before, and nothing beyond `end`.
+std::pair<double, double> span_of_way(const TimeSpan& when, double time, const StepLengths& step) {
+  const bool begins = when.start > 0 && when.start <= time && when.start > time - (1 - same_time) * step.before;
+  return {begins ? when.start : time, std::min(time + step.after, when.end)};
 }
 
 /// Of the velocity of node n along a direction.
@@ -43,20 +52,24 @@ bool accelerates(const PrescribedVelocity& given) { return given.quantity == Mot
 
 }  // namespace
 
-double mean_factor(const TimeTable& table, MotionQuantity quantity, double time, const StepLengths& step) {
-  if (step.after > 0)
-    return (displacement(table, quantity, time + step.after) - displacement(table, quantity, time)) / step.after;
+double mean_factor(const TimeTable& table, MotionQuantity quantity, const TimeSpan& when, double time,
+                   const StepLengths& step) {
+  if (step.after > 0) {
+    const bool in_full = quantity == MotionQuantity::displacement;
+    const auto [from, to] = in_full ? span_of_way(when, time, step) : std::pair(time, time + step.after);
+    return (displacement(table, quantity, to) - displacement(table, quantity, from)) / step.after;
+  }
   if (quantity == MotionQuantity::velocity) return table.value(time);
   if (quantity == MotionQuantity::acceleration) return table.integral(time);
   return step.before > 0 ? (table.value(time) - table.value(time - step.before)) / step.before : 0.0;
 }
 
-double factor_change(const TimeTable& table, MotionQuantity quantity, double time, double later,
+double factor_change(const TimeTable& table, MotionQuantity quantity, const TimeSpan& when, double time, double later,
                      const StepLengths& step) {
-  const double then = mean_factor(table, quantity, later, step);
-  if (step.before > 0) return then - mean_factor(table, quantity, time - step.before, {0, step.before});
+  const double then = mean_factor(table, quantity, when, later, step);
+  if (step.before > 0) return then - mean_factor(table, quantity, when, time - step.before, {0, step.before});
   if (quantity == MotionQuantity::acceleration) return then - table.integral(time);
-  return then - mean_factor(table, quantity, time, step);
+  return then - mean_factor(table, quantity, when, time, step);
 }
 
 template <class S>
@@ -88,7 +101,8 @@ double PrescribedMotions::leap_of(const Model<S>& model, const HeldNodes<S>& hel
 std::vector<double> PrescribedMotions::factors(double time, const StepLengths& step) const {
   std::vector<double> found;
   for (const PrescribedVelocity& given : given_)
-    found.push_back(accelerates(given) ? factor_change(given.table, time, step) : mean_factor(given, time, step));
+    found.push_back(accelerates(given) ? factor_change(given.table, given.when, time, step)
+                                       : mean_factor(given, time, step));
   return found;
 }
 
@@ -98,7 +112,7 @@ double PrescribedMotions::leap(double time, double later, const StepLengths& ste
     if (!given.when.contains(later)) continue;
     if (!accelerates(given) && !given.when.contains(time - step.before)) continue;
     const double from = std::max(time, std::min(later, given.when.start));
-    const double change = factor_change(given.table, given.quantity, from, later, step);
+    const double change = factor_change(given.table, given.quantity, given.when, from, later, step);
     largest = std::max(largest, norm(given.velocity) * std::abs(change));
   }
   return largest;

@@ -9,17 +9,19 @@ namespace pinball {
 
 /// The factor of a velocity that is given over time: the mean over the coming step, so that places are those of the
 /// integral of the table, or the velocity where that has no length; of a displacement the mean over the step before
-/// then [-].
-double mean_factor(const TimeTable& table, MotionQuantity quantity, double time, const StepLengths& step);
+/// then [-]. A displacement is that of its table from the start of `when` to its end, wherever between two steps these
+/// lie: the first step makes up for what has been done before it.
+double mean_factor(const TimeTable& table, MotionQuantity quantity, const TimeSpan& when, double time,
+                   const StepLengths& step);
 
 /// How much mean_factor changes from the step before `time` to that from `later` on; where none is before, from that
 /// from `time` on, of an acceleration from the velocity at `time` [-].
-double factor_change(const TimeTable& table, MotionQuantity quantity, double time, double later,
+double factor_change(const TimeTable& table, MotionQuantity quantity, const TimeSpan& when, double time, double later,
                      const StepLengths& step);
 /// Of an acceleration to the coming step. It is added to the velocity that is there, whatever that is and whenever the
 /// motion begins [-].
-inline double factor_change(const TimeTable& table, double time, const StepLengths& step) {
-  return factor_change(table, MotionQuantity::acceleration, time, time, step);
+inline double factor_change(const TimeTable& table, const TimeSpan& when, double time, const StepLengths& step) {
+  return factor_change(table, MotionQuantity::acceleration, when, time, time, step);
 }
 
 /// The velocities that [[prescribed_velocity]] gives to nodes over time, and how far they leap.

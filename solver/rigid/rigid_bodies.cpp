@@ -82,8 +82,9 @@ double RigidBodies<S>::given_speed(const Body& body, const RigidMotion& motion, 
                                    const StepLengths& step) const {
   const double most = motion.axis ? motion.angular_speed : motion.speed;
   if (motion.quantity != MotionQuantity::acceleration)
-    return most * mean_factor(motion.table, motion.quantity, later, step);
-  return most * factor_change(motion.table, motion.quantity, time, later, step) + present_speed(body.motion, motion);
+    return most * mean_factor(motion.table, motion.quantity, motion.when, later, step);
+  return most * factor_change(motion.table, motion.quantity, motion.when, time, later, step) +
+         present_speed(body.motion, motion);
 }
 
 template <class S>

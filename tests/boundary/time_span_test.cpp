@@ -83,6 +83,46 @@ TEST(PrescribedDisplacement, HasItsVelocityFromTheFirstStepOn) {
   EXPECT_NEAR(solver.energies().external, 0.5 * mass * 49, 1e-9 * mass * 49);
 }
 
+/// What its curve does between its start and its end is done in full, wherever between two steps these lie; so it goes
+/// on where another one ends.
+TEST(PrescribedDisplacement, GoesAllOfItsWayWhereverBetweenTwoStepsItBegins) {
+  constexpr double begin = 1.037e-4, handed_over = 1.571e-4, end = 2.043e-4;
+  const TimeTable table{{0, 1}, {0, 7}};
+  const auto way_at = [](const Scene& scene, double time) {
+    Solver<double> solver(scene);
+    while (solver.time() < time) solver.step();
+    return position_of(solver, 0)[0];
+  };
+  Scene nodes = flying_block();
+  nodes.bodies[0].velocity = {};
+  PrescribedVelocity pull;
+  pull.nodes.body = "a";
+  pull.direction = Point{1, 0, 0};
+  pull.velocity = {1, 0, 0};
+  pull.quantity = MotionQuantity::displacement;
+  pull.table = table;
+  pull.when = {begin, end};
+  nodes.prescribed_velocities = {pull};
+  EXPECT_NEAR(way_at(nodes, end), 7 * (end - begin), 1e-15);
+  nodes.prescribed_velocities = {pull, pull};
+  nodes.prescribed_velocities[0].when.end = nodes.prescribed_velocities[1].when.start = handed_over;
+  EXPECT_NEAR(way_at(nodes, end), 7 * (end - begin), 1e-15) << "by two, one after the other";
+
+  Scene rigid = flying_block();
+  rigid.bodies[0].velocity = {};
+  RigidBody& body = rigid.rigid_bodies.emplace_back();
+  body.name = "a";
+  body.bodies = {"a"};
+  RigidMotion& motion = rigid.rigid_motions.emplace_back();
+  motion.rigid_body = "a";
+  motion.direction = Point{1, 0, 0};
+  motion.speed = 1;
+  motion.quantity = MotionQuantity::displacement;
+  motion.table = table;
+  motion.when = {begin, end};
+  EXPECT_NEAR(way_at(rigid, end), 7 * (end - begin), 1e-15) << "of a rigid body";
+}
+
 /// It is added to the velocity that is there: that of the start, whenever the acceleration begins and ends.
 TEST(PrescribedAcceleration, ChangesTheVelocityThatNodesHave) {
   for (const TimeSpan when : {TimeSpan{}, TimeSpan{1e-4, 2e-4}}) {
