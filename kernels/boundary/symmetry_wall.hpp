@@ -16,6 +16,9 @@ struct ReflectNodes {
   S point[3], inward[3];  ///< p [length]; n, the unit normal towards the bodies
   S position_step;        ///< dt: that just made with the present velocities [time]
   S *position, *velocity;
+  /// Of so many nodes in a row each: a node of level l has just made 2^l steps at once; null: all have made one.
+  const std::int8_t* level = nullptr;
+  std::int32_t nodes_of_level = 1;
 
   PINBALL_FUNCTION void operator()(std::int64_t i) const {
     S *x = position + 4 * std::int64_t(of[i]), *v = velocity + 4 * std::int64_t(of[i]);
@@ -24,8 +27,9 @@ struct ReflectNodes {
     if (!(distance < S(0))) return;
     for (int k = 0; k < 3; ++k) speed += v[k] * inward[k];
     if (!(speed < S(0))) return;
+    const S step = level == nullptr ? position_step : S(1 << level[of[i] / nodes_of_level]) * position_step;
     for (int k = 0; k < 3; ++k) {
-      x[k] -= S(2) * position_step * speed * inward[k];
+      x[k] -= S(2) * step * speed * inward[k];
       v[k] -= S(2) * speed * inward[k];
     }
   }

@@ -35,13 +35,14 @@ SymmetryWalls<S>::SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>&
 }
 
 template <class S>
-double SymmetryWalls<S>::reflect(const NodeArrays<S>& nodes, const StepLengths& step, bool ends_cycle) {
+double SymmetryWalls<S>::reflect(const NodeArrays<S>& nodes, const StepLengths& step, bool ends_cycle,
+                                 const DueSpans& due) {
   const double before = std::exchange(work_, 0.0);
   const bool begins_cycle = std::exchange(cycle_ends_, ends_cycle);
   if (begins_cycle) steps_ = 0;
   ++steps_;
   for (Wall& wall : walls_) {
-    const Reflection sum = wall.nodes->reflect(nodes, static_cast<S>(step.after));
+    const Reflection sum = wall.nodes->reflect(nodes, static_cast<S>(step.after), due);
     if (begins_cycle) wall.force = 0;
     if (step.velocity() > 0) wall.force += sum.impulse / step.velocity();
     work_ += sum.work;

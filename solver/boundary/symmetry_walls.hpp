@@ -29,8 +29,8 @@ class SymmetryWalls {
     for (Wall& wall : walls_) wall.nodes->keep_forces(nodes);
   }
   /// To be called after the integration. ends_cycle: all elements are of one time then. Returns the work of the planes
-  /// in the step before, which is done at the time of the forces [energy].
-  double reflect(const NodeArrays<S>& nodes, const StepLengths& step, bool ends_cycle);
+  /// in the step before, which is done at the time of the forces [energy]. due: what was integrated.
+  double reflect(const NodeArrays<S>& nodes, const StepLengths& step, bool ends_cycle, const DueSpans& due = {});
 
   /// Adds what the planes with a name have exerted, as a mean over the steps of the last cycle, to the forces by name.
   void add_forces(std::vector<ForceResult>& forces) const;

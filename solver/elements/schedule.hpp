@@ -92,7 +92,7 @@ class Schedule {
   int steps_ahead(std::int32_t node) const {
     return subcycling_ ? subcycling_->due_nodes(0).steps(node / nodes_per_span) : 1;
   }
-  /// After the nodes of a step were integrated.
+  /// When the nodes of a step have the velocities that they keep.
   void end_step(NodeStore<S>& nodes) {
     if (subcycling_) subcycling_->count_step(nodes);
   }

@@ -20,9 +20,7 @@ NodeArrays<S> HostStep<S>::nodes(NodeNumbers /*changes*/) {
 
 template <class S>
 MotionEnergy HostStep<S>::integrate(const Due& due, const StepLengths& step) {
-  const MotionEnergy motion = integrate_nodes(model_, schedule_.due_spans(due), step, domain_);
-  schedule_.end_step(model_.nodes);
-  return motion;
+  return integrate_nodes(model_, schedule_.due_spans(due), step, domain_);
 }
 
 template <class S>

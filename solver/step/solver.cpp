@@ -148,6 +148,7 @@ void Solver<S>::make_step(const Due& due) {
   wall_reactions(due);                                          //      f += rigid walls
   const MotionEnergy motion = integrate(due);                   // 5-6  v += dt f/m, x += dt v, f = 0
   reflect_at_symmetry_planes(due);                              //      what erosion has set free
+  schedule_.end_step(model_.nodes);                             //      means of velocities, with subcycling alone
   follow_ties();                                                //      tied nodes go where their faces do
   move_rigid_bodies();                                          //      nodes of rigid bodies go where these do
   keep_accounts(due, element, ties + springs + impulses, motion);  //      energies, counts, guards
@@ -316,11 +317,13 @@ void Solver<S>::move_rigid_bodies() {
   });
 }
 
+/// Before the velocities of the step are counted for the means of subcycling.
 template <class S>
 void Solver<S>::reflect_at_symmetry_planes(const Due& due) {
   if (!may_reflect()) return;
   timers_.measure(Phase::integration, [&] {
-    boundary_.add_work(symmetry_walls_.reflect(space_->nodes(NodeNumbers::motion), clock_.lengths(), due.all()));
+    boundary_.add_work(symmetry_walls_.reflect(space_->nodes(NodeNumbers::motion), clock_.lengths(), due.all(),
+                                               schedule_.due_spans(due)));
   });
 }
 

@@ -57,6 +57,31 @@ set = "cut"
   EXPECT_EQ(model.nodes.velocity_of(stays)[0], -9);
 }
 
+/// With subcycling a node makes the steps of its span at once: it goes back all the way that it has come.
+TEST_F(SymmetryWall, TakesTheWayOfAllStepsOfANodeBack) {
+  std::ofstream(folder_ / "scene.toml") << soft << R"([[body]]
+name = "cube"
+material = "soft"
+position = [0.5, 0, 0]
+mesh = { type = "block", size = [1, 1, 1], elements = [1, 1, 1] }
+[[constraint]]
+type = "symmetry"
+normal = [1, 0, 0]
+)";
+  Model<double> model = build_model<double>(read_scene((folder_ / "scene.toml").string()));
+  for (const int level : {0, 2}) {
+    SymmetryWalls<double> walls(model, *make_host_boundary_kernels<double>(nullptr));
+    const std::int32_t crosses = model.node_of_scene_node[0];
+    model.nodes.velocity_of(crosses)[0] = -11;
+    model.nodes.position_of(crosses)[0] = 0.75 - 11 * 0.1 * (1 << level);
+    walls.keep_forces(node_arrays(model));
+    const std::vector<std::int8_t> levels{static_cast<std::int8_t>(level)};
+    walls.reflect(node_arrays(model), {0.1, 0.1}, true, {&levels, 2});
+    EXPECT_EQ(model.nodes.velocity_of(crosses)[0], 11);
+    EXPECT_NEAR(model.nodes.position_of(crosses)[0], 0.75 + 11 * 0.1 * (1 << level), 1e-12);
+  }
+}
+
 /// Two cubes with a face in common; the plane is that of the second one.
 TEST_F(SymmetryWall, OfABodyTurnsNodesRoundThatItShares) {
   std::ofstream(folder_ / "cubes.msh") << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"

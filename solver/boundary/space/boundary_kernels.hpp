@@ -103,8 +103,8 @@ class ReflectionKernels {
   virtual ~ReflectionKernels() = default;
   /// Keeps what elements have on the nodes across the plane, while there are no other forces.
   virtual void keep_forces(const NodeArrays<S>& nodes) = 0;
-  /// position_step: that just made with the present velocities [time].
-  virtual Reflection reflect(const NodeArrays<S>& nodes, S position_step) const = 0;
+  /// position_step: that just made with the present velocities, as often as `due` says [time].
+  virtual Reflection reflect(const NodeArrays<S>& nodes, S position_step, const DueSpans& due) const = 0;
   virtual std::size_t bytes() const = 0;
 };
 

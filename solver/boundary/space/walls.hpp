@@ -70,11 +70,14 @@ class SpaceReflection final : public ReflectionKernels<S> {
     for_each<Space>("forces across symmetry walls", nodes_.size(),
                     KeepForcesAcross<S>{nodes_.data(), {S(a), S(b), S(c)}, nodes.force, across_.data()}, shared_);
   }
-  Reflection reflect(const NodeArrays<S>& nodes, S position_step) const override {
+  Reflection reflect(const NodeArrays<S>& nodes, S position_step, const DueSpans& due) const override {
     const auto [x, y, z] = point_;
     const auto [a, b, c] = inward_;
-    const ReflectNodes<S> turn{nodes_.data(), {S(x), S(y), S(z)}, {S(a), S(b), S(c)},
-                               position_step, nodes.position,     nodes.velocity};
+    const std::int8_t* const levels = due.level_of_span == nullptr ? nullptr : due.level_of_span->data();
+    const ReflectNodes<S> turn{
+        nodes_.data(), {S(x), S(y), S(z)}, {S(a), S(b), S(c)}, position_step, nodes.position, nodes.velocity,
+        levels,        nodes_per_span,
+    };
     Reflection sum;
     add_sum<Space>("work of symmetry walls", nodes_.size(), SumReflection<S>{turn, nodes.mass, across_.data()}, sum,
                    shared_);
