@@ -266,7 +266,8 @@ void RigidBodies<S>::check_motions(const Scene& scene) const {
 }
 
 /// With momenta of those of its nodes that are of no other body before it: what other bodies say of their velocities
-/// ends where they share nodes with a rigid one.
+/// ends where they share nodes with a rigid one. What holds the body takes its part at once, as constraints of nodes
+/// do.
 template <class S>
 void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node,
                                      bool of_start) {
@@ -275,6 +276,7 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
   if (of_start && (given.velocity || given.angular_velocity)) {
     body.motion.set_velocities(given.velocity.value_or(Point{}),
                                body.slender.moving(given.angular_velocity.value_or(Point{})));
+    body.motion.obey(body.held);
     return put_nodes(model, body);
   }
   std::vector<std::int32_t> nodes;
@@ -320,6 +322,7 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
   }
   const Point to_centre = minus(body.motion.state().centre, own.centre);
   body.motion.set_velocities(velocity_at(velocity, spin, to_centre), spin);
+  body.motion.obey(body.held);
   put_nodes(model, body);
 }
 

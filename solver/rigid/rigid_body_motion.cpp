@@ -71,6 +71,21 @@ void RigidBodyMotion::set_velocities(const Point& velocity, const Point& angular
   state_.angular_momentum = point(eigen(turned(inertia_)) * eigen(angular_velocity));
 }
 
+void RigidBodyMotion::obey(const GivenMotion& given) {
+  for (std::size_t i = 0; i < given.along.size(); ++i) {
+    const double excess = dot(state_.velocity, given.along[i]) - given.speeds[i];
+    for (std::size_t k = 0; k < 3; ++k) state_.velocity[k] -= excess * given.along[i][k];
+  }
+  const Matrix inertia = eigen(turned(inertia_));
+  const Vector momentum = eigen(state_.angular_momentum), spin = inertia.inverse() * momentum;
+  double most = 0;
+  for (std::size_t i = 0; i < given.about.size(); ++i)
+    most = std::max(most, std::abs(spin.dot(eigen(given.about[i])) - given.angular_speeds[i]));
+  if (!(most > 1e-12 * spin.norm())) return;  // but for rounding it obeys
+  const Vector obeying = motion_with(axes(given.about), rates(given.angular_speeds), inertia, momentum);
+  state_.angular_momentum = point(inertia * obeying);
+}
+
 std::array<Point, 3> RigidBodyMotion::rotation() const { return rows_of(eigen(state_.orientation).toRotationMatrix()); }
 
 std::array<Point, 3> RigidBodyMotion::turned(const std::array<Point, 3>& tensor) const {

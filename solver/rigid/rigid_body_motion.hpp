@@ -58,6 +58,8 @@ class RigidBodyMotion {
   const RigidState& state() const { return state_; }
   RigidState& state() { return state_; }
   void set_velocities(const Point& velocity, const Point& angular_velocity);
+  /// What is given has the velocities that it is given, by impulses of what gives them alone.
+  void obey(const GivenMotion& given);
 
   // In a step, in this order.
 

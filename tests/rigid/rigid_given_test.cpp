@@ -51,6 +51,33 @@ Scene as_given(const Scene& uneven_one) {
   return scene;
 }
 
+/// What holds a body takes its part of the velocities before there is an energy, as constraints of nodes do: it is no
+/// work from outside, and no impulse of the reaction in the first step.
+TEST(RigidBodies, BeginWithoutWhatHoldsThemTakes) {
+  for (const bool own : {true, false}) {
+    Scene scene = scene_of({block("a", {2, 2, 1}, 0.1, {0, 0, 0}, {3, 2, 0})}, 1e-3, false);
+    scene.bodies[0].angular_velocity = {0, 4, 5};
+    scene.rigid_bodies = {rigid("a")};
+    scene.rigid_bodies[0].held = {{0.6, 0.8, 0}};
+    scene.rigid_bodies[0].held_rotations = {{0, 0, 1}};
+    if (own) {
+      scene.rigid_bodies[0].velocity = Point{3, 2, 0};
+      scene.rigid_bodies[0].angular_velocity = Point{0, 4, 5};
+    }
+    Solver<double> solver(scene);
+    const RigidBodyResult start = solver.rigid().results()[0];
+    expect_near(start.velocity, {3 - 3.4 * 0.6, 2 - 3.4 * 0.8, 0}, 1e-12, "velocity");
+    expect_near(start.angular_velocity, {0, 4, 0}, 1e-12, "spin");
+    solver.step();
+    const Point force = solver.rigid().results()[0].force;
+    EXPECT_LT(norm(force), 1e-6 * start.mass);
+    solver.step();
+    const double kinetic = 0.5 * start.mass * dot(start.velocity, start.velocity) + 8 * start.inertia[1][1];
+    EXPECT_NEAR(solver.initial_energy(), kinetic, 1e-9 * kinetic);
+    EXPECT_NEAR(solver.energies().external, 0, 1e-9 * kinetic);
+  }
+}
+
 TEST(RigidBodies, WithAGivenCentreMoveAsThoseWhoseMassIsThere) {
   Scene masses = uneven(1);
   const Scene given = as_given(masses);

@@ -48,8 +48,8 @@ std::vector<std::string> stopped_rigid_bodies(const Scene& scene, const ModelMes
     for (const Point& direction : held) stopped = std::max(stopped, std::abs(dot(*velocity, direction)));
     if (!(stopped > none * norm(*velocity))) continue;
     found.push_back(
-        fmt::format("{}: rigid body {} begins with a velocity of {:.4g} along a direction in which it is held: the "
-                    "first step stops it, which is in its reaction and takes its energy",
+        fmt::format("{}: rigid body {} is given a velocity of {:.4g} along a direction in which it is held: it "
+                    "begins without",
                     rigid.where, rigid.name, stopped));
   }
   return found;

@@ -7,8 +7,8 @@
 
 namespace pinball {
 
-/// Rigid bodies that begin with a velocity along directions in which they, or planes of symmetry, hold them: a sentence
-/// for each, since the first step stops them. Of bodies whose nodes begin with one velocity, or whose own is given.
+/// Rigid bodies that are given a velocity along directions in which they, or planes of symmetry, hold them: a sentence
+/// for each, since they begin without. Of bodies whose nodes begin with one velocity, or whose own is given.
 std::vector<std::string> stopped_rigid_bodies(const Scene& scene, const ModelMesh& mesh);
 
 }  // namespace pinball
