@@ -282,12 +282,10 @@ class Assembly {
 
   void check_files() {
     if (files_.empty()) return;
-    const TiedSides ties(scene_, all_);
+    const MetSides sides(scene_, all_);
     for (const Placed& placed : files_) {
-      const auto may_be_tied = [&](std::int32_t a, std::int32_t b) {
-        return ties.have(placed.node[a], placed.node[b]);
-      };
-      const auto warnings = check_file(placed.file, bodies_of(placed), all_.body_names, may_be_tied);
+      const auto may_meet = [&](std::int32_t a, std::int32_t b) { return sides.have(placed.node[a], placed.node[b]); };
+      const auto warnings = check_file(placed.file, bodies_of(placed), all_.body_names, may_meet);
       all_.warnings.insert(all_.warnings.end(), warnings.begin(), warnings.end());
     }
   }

@@ -69,6 +69,17 @@ TEST_F(FileChecks, NodesThatATieJoinsAreNotTold) {
   EXPECT_THAT(told("\"upper\"", "\"upper\""), ElementsAre(HasSubstr("4 pairs of nodes")));
 }
 
+/// Surfaces that the scene lets meet are apart on purpose; where a body only meets itself nobody has said so.
+TEST_F(FileChecks, NodesOfTheTwoSidesOfAContactPairAreNotTold) {
+  const std::string sets = "*SET_SEGMENT\n8\n50,60,70,80\n*SET_SEGMENT\n9\n150,160,170,180\n";
+  const auto told = [&](bool two, const std::string& sides) {
+    return mesh_of(apart + sets, two, "[[contact.pair]]\n" + sides).warnings;
+  };
+  EXPECT_THAT(told(true, "first = \"upper\"\nsecond = \"bar\""), IsEmpty());
+  EXPECT_THAT(told(false, "first = { faces = \"8\" }\nsecond = { faces = \"9\" }"), IsEmpty());
+  EXPECT_THAT(told(false, "first = \"bar\""), ElementsAre(HasSubstr("4 pairs of nodes")));
+}
+
 TEST_F(FileChecks, NothingIsToldOfASoundMesh) {
   EXPECT_THAT(mesh_of(replaced(apart, "2,2,150,160,170,180", "2,2,50,60,70,80")).warnings, IsEmpty())
       << "nodes 150 to 180 are free";

@@ -20,8 +20,8 @@ constexpr std::size_t most_warnings = 5;
 class Check {
  public:
   Check(const MeshFile& file, const std::vector<std::int32_t>& body, const std::vector<std::string>& names,
-        const std::function<bool(std::int32_t, std::int32_t)>& may_be_tied)
-      : file_(file), body_(body), names_(names), may_be_tied_(may_be_tied), warnings_(file.notes) {}
+        const std::function<bool(std::int32_t, std::int32_t)>& may_meet)
+      : file_(file), body_(body), names_(names), may_meet_(may_meet), warnings_(file.notes) {}
 
   std::vector<std::string> warnings() {
     collect_taken();
@@ -87,7 +87,7 @@ class Check {
       for (const std::int32_t node : hexahedron) used[node] = true;
     }
     auto pairs = coincident_nodes(file_.mesh.nodes, used, tolerance);
-    std::erase_if(pairs, [this](const auto& pair) { return may_be_tied_(pair.first, pair.second); });
+    std::erase_if(pairs, [this](const auto& pair) { return may_meet_(pair.first, pair.second); });
     if (pairs.empty()) return;
     const std::vector<std::int32_t> body_of_node = bodies_of_nodes();
     std::map<std::pair<std::int32_t, std::int32_t>, Coincidence> by_bodies;
@@ -135,7 +135,7 @@ class Check {
   const MeshFile& file_;
   const std::vector<std::int32_t>& body_;
   const std::vector<std::string>& names_;
-  const std::function<bool(std::int32_t, std::int32_t)>& may_be_tied_;
+  const std::function<bool(std::int32_t, std::int32_t)>& may_meet_;
   std::vector<std::string> warnings_;
   std::vector<std::array<std::int32_t, 8>> hexahedra_;
   std::vector<std::int32_t> element_;
@@ -145,8 +145,8 @@ class Check {
 
 std::vector<std::string> check_file(const MeshFile& file, const std::vector<std::int32_t>& body,
                                     const std::vector<std::string>& names,
-                                    const std::function<bool(std::int32_t, std::int32_t)>& may_be_tied) {
-  return Check(file, body, names, may_be_tied).warnings();
+                                    const std::function<bool(std::int32_t, std::int32_t)>& may_meet) {
+  return Check(file, body, names, may_meet).warnings();
 }
 
 }  // namespace pinball

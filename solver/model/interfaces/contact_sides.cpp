@@ -81,14 +81,18 @@ std::vector<bool> nodes_of_side(const ModelMesh& mesh, const ContactSide& side, 
 
 }  // namespace
 
-TiedSides::TiedSides(const Scene& scene, const ModelMesh& mesh) {
-  for (const TiedContact& tied : scene.tied_contacts) {
-    nodes_.push_back({nodes_of_side(mesh, tied.first, tied.where + ".first"),
-                      nodes_of_side(mesh, tied.second, tied.where + ".second")});
+MetSides::MetSides(const Scene& scene, const ModelMesh& mesh) {
+  const auto add = [&](const auto& contact) {
+    nodes_.push_back({nodes_of_side(mesh, contact.first, contact.where + ".first"),
+                      nodes_of_side(mesh, contact.second, contact.where + ".second")});
+  };
+  for (const TiedContact& tied : scene.tied_contacts) add(tied);
+  for (const ContactPair& pair : scene.contact_pairs) {
+    if (!pair.second.empty()) add(pair);
   }
 }
 
-bool TiedSides::have(std::int32_t a, std::int32_t b) const {
+bool MetSides::have(std::int32_t a, std::int32_t b) const {
   return std::ranges::any_of(
       nodes_, [a, b](const auto& sides) { return (sides[0][a] && sides[1][b]) || (sides[0][b] && sides[1][a]); });
 }

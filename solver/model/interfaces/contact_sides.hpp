@@ -26,16 +26,16 @@ struct SideMembers {
 /// where: for messages. Throws InputError for sets that are not there.
 SideMembers find_members(const ModelMesh& mesh, const ContactSide& side, const std::string& where);
 
-/// Which nodes each tied contact of a scene has on its first and on its second side, near each other or not; in the
-/// numbers of the scene. Throws InputError for sets that are not there.
-class TiedSides {
+/// Which nodes each tied contact of a scene, and each contact pair of two sides, has on its first and on its second
+/// side, near each other or not; in the numbers of the scene. Throws InputError for sets that are not there.
+class MetSides {
  public:
-  TiedSides(const Scene& scene, const ModelMesh& mesh);
-  /// Whether a tied contact has one of two nodes on the one side and the other on the other one.
+  MetSides(const Scene& scene, const ModelMesh& mesh);
+  /// Whether one of them has one of two nodes on the one side and the other on the other one.
   bool have(std::int32_t a, std::int32_t b) const;
 
  private:
-  std::vector<std::array<std::vector<bool>, 2>> nodes_;  ///< per tied contact and side: per node
+  std::vector<std::array<std::vector<bool>, 2>> nodes_;  ///< per contact and side: per node
 };
 
 }  // namespace pinball
