@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <solver/step/energy/drift_energy.hpp>
 #include <tests/support/collapsed_case.hpp>
 #include <tests/support/law_materials.hpp>
 #include <tests/support/solver_case.hpp>
@@ -172,6 +173,24 @@ TEST(MixedPrecision, LetsBodiesAtRestRestWhereVolumesPress) {
       }
     }
   }
+}
+
+/// Energies of others are measured as in double: they were not looked at below 1e-6 of the speed of sound.
+TEST(MixedPrecision, HasRestOfItsOwnOnlyWhereVolumesPress) {
+  const auto at_rest = [](Precision precision, const char* second) {
+    Scene scene = scene_of({block("a", {1, 1, 2}, 0.1, {0, 0, 0}), block("b", {1, 1, 3}, 0.1, {1, 0, 0}, {}, second)},
+                           1e-3, false);
+    scene.materials = {elastic_material(), soil_material("soil")};
+    scene.precision = precision;
+    return energy_at_rest(build_model<double>(scene));
+  };
+  const double of_double = at_rest(Precision::float64, "steel");
+  EXPECT_GT(of_double, 0);
+  EXPECT_EQ(at_rest(Precision::mixed, "steel"), of_double);
+  EXPECT_NEAR(at_rest(Precision::float64, "soil"), of_double, of_double);
+  const double mass = 3 * 1e-3 * 7850, speed2 = 2 * at_rest(Precision::mixed, "soil") / (1e-12 * mass);
+  EXPECT_GT(std::sqrt(speed2), 4000) << "of its three elements";
+  EXPECT_LT(std::sqrt(speed2), 6500);
 }
 
 }  // namespace

@@ -43,6 +43,11 @@ void add_held_by(const Joint& joint, HeldSpace& held) {
   }
 }
 
+/// Whether a law has a pressure of the present volume, not of increments: what is rounded of that presses.
+bool sees_volumes(const Material& m) {
+  return m.equation_of_state || m.johnson_holmquist || m.mooney_rivlin || m.ogden || m.crushable_foam;
+}
+
 template <class S>
 double mass_of_nodes(const Model<S>& model) {
   double mass = 0;
@@ -57,8 +62,22 @@ double energy_at_rest(const Model<S>& model) {
   double fastest = 0;
   for (const ElementConstants<S>& c : model.constants)
     fastest = std::max(fastest, static_cast<double>(c.material.sound_speed));
-  const double rounded = has_single_elements(model.scene.precision) ? 1e-6 : 1e-13;
-  return 0.5 * rounded * rounded * mass_of_nodes(model) * fastest * fastest;
+  const auto energy = [](double mass, double share, double speed) {
+    return 0.5 * mass * share * share * speed * speed;
+  };
+  double sum = energy(mass_of_nodes(model), 1e-13, fastest);
+  if (!has_single_elements(model.scene.precision)) return sum;
+  const std::vector<std::size_t> material = material_of_bodies(model.scene);
+  std::vector<double> speed(model.scene.materials.size(), 0.0);
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    double& largest = speed[static_cast<std::size_t>(model.parts[p].material)];
+    largest = std::max(largest, static_cast<double>(model.constants[p].material.sound_speed));
+  }
+  for (std::size_t e = 0; e < model.element_mass.size(); ++e) {
+    const std::size_t m = material[static_cast<std::size_t>(model.mesh.body[e])];
+    if (sees_volumes(model.scene.materials[m])) sum += energy(model.element_mass[e], 1e-6, speed[m]);
+  }
+  return sum;
 }
 
 template <class S>

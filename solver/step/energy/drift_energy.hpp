@@ -12,8 +12,8 @@ namespace pinball {
 template <class S>
 double drift_energy(const Model<S>& model, const Point& momentum);
 
-/// What is less is that of nothing but rounding [energy]: of all mass with 1e-13 of the fastest speed of sound, 1e-6
-/// where elements have single precision, of which volumes press with what is rounded of them.
+/// What is less is that of nothing but rounding [energy]: of all mass with 1e-13 of the fastest speed of sound, and of
+/// elements in single precision whose laws see volumes with 1e-6 of theirs, for what is rounded of volumes presses.
 template <class S>
 double energy_at_rest(const Model<S>& model);
 
