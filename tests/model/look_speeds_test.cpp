@@ -100,6 +100,30 @@ TEST(LookAtSpeeds, OfTwoBodiesTurnWithTheScene) {
   }
 }
 
+/// What gains speed until it meets the other: boxes of bodies that lie askew meet earlier.
+TEST(LookAtSpeeds, OfWhatIsAcceleratedTurnWithTheScene) {
+  for (const bool by_weight : {true, false}) {
+    const auto closing_speed = [&](double angle) {
+      const Turned turned(angle);
+      Scene scene = turned_impact(angle, false, false);
+      scene.bodies[1].velocity = {};
+      if (by_weight) {
+        scene.gravities = {{turned.of({0, 0, -4e5}), {}, {"b"}}};
+      } else {
+        Pressure& pressure = scene.pressures.emplace_back();
+        pressure.faces.body = "b";
+        pressure.faces.plane = Plane{turned.of({0.05, 0.03, 0.62}), turned.of({0, 0, 1})};
+        pressure.pressure = 1e9;
+      }
+      return look(scene).closing_speed;
+    };
+    const double expected = closing_speed(0), fallen = std::sqrt(2 * (by_weight ? 4e5 : 1e9 / (0.3 * 7850)) * 0.02);
+    EXPECT_NEAR(expected, fallen, 0.1 * fallen) << "through the gap, and at most one time further";
+    for (const double angle : {0.3, 0.5, 0.25 * M_PI, 1.2})
+      EXPECT_NEAR(closing_speed(angle), expected, 1e-9 * expected) << angle << by_weight;
+  }
+}
+
 /// A block that lies askew above a wall: its box reaches further than its nodes.
 TEST(LookAtSpeeds, AtAWallAreOfWhatReachesItsNodes) {
   Scene scene = scene_of({block("a", {3, 3, 3}, 1, {0, 0, 4}, {-6, 0, -8})}, 0.3);

@@ -77,7 +77,7 @@ class LookAt {
     const bool lone = scene_.bodies.size() == 1 && scene_.rigid_walls.empty();
     if (!lone) movers_ = find_movers(scene_, mesh_);
     if (movers_.all.size() > 1)
-      meetings_ = find_meetings(movers_, [this](std::int32_t a, std::int32_t b) {
+      meetings_ = find_meetings(movers_, mesh_, [this](std::int32_t a, std::int32_t b) {
         return may_touch(scene_.contact_pairs, mesh_.body_names[a], mesh_.body_names[b]);
       });
     decide_contact();

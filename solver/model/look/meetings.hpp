@@ -24,7 +24,8 @@ struct Meetings {
 
 /// Which of the movers meet, by the boxes of their cells; those that do not move beside each other do not. At most so
 /// many that a tenth of a second is enough: of more than 2,000 movers any two may possibly meet.
-/// may_touch: of two bodies.
-Meetings find_meetings(const Movers& movers, const std::function<bool(std::int32_t, std::int32_t)>& may_touch);
+/// mesh: of the movers, by whose nodes what gains speed meets; may_touch: of two bodies.
+Meetings find_meetings(const Movers& movers, const ModelMesh& mesh,
+                       const std::function<bool(std::int32_t, std::int32_t)>& may_touch);
 
 }  // namespace pinball

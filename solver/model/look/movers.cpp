@@ -134,6 +134,7 @@ Extent cube(const Point& c, double r) { return {{c[0] - r, c[1] - r, c[2] - r}, 
 void make_round(Mover& mover, const InitialMotion& motion) {
   mover.box = cube(motion.centre, motion.radius);
   mover.cells = {{mover.box, mover.bodies.front()}};
+  mover.round = true;
 }
 
 Extent scaled(const Extent& velocity, double time) {

@@ -35,6 +35,7 @@ struct Mover {
   double speed = 0;              ///< largest, but for what a load or gravity gives it [length/time]
   std::optional<Extent> sphere;  ///< in which it is if loads or pressures turn it: whether they do depends on much
   bool turns = false;            ///< as given, or by loads or pressures
+  bool round = false;            ///< the box is that of a ball, for as far as is known it turns all ways
   bool held = false;             ///< no node of it can move
   bool meets_wall = false;       ///< a rigid wall, or one moves towards it
 };
