@@ -1,11 +1,11 @@
 #include "material_laws.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include <kernels/material/principal_values.hpp>
 #include <solver/scene/material/orthotropic_moduli.hpp>
 #include <solver/scene/material/pressure_table.hpp>
 
@@ -130,18 +130,14 @@ namespace {
 
 /// lambda and mu with which an isotropic material is at least as stiff in any strain: lambda of the mean of the moduli
 /// between two axes, and 2 mu the largest eigenvalue of what is left, so that both are those of an isotropic one.
+/// c: along the axes, where each shear is by itself (twice its modulus, as the norm of the strain is that of its
+/// tensor).
 std::array<double, 2> stiffest_moduli(const ElasticMatrix& c) {
   const double lambda = std::max(0.0, (c[0][1] + c[0][2] + c[1][2]) / 3);
-  Eigen::Matrix<double, 6, 6> left;
-  for (int i = 0; i < 6; ++i) {
-    for (int j = 0; j < 6; ++j) {
-      // shears over the square root of two: the norm of the strain is that of its tensor
-      const double factor = (i < 3 ? 1 : std::sqrt(2.0)) * (j < 3 ? 1 : std::sqrt(2.0));
-      left(i, j) = factor * c[i][j] - (i < 3 && j < 3 ? lambda : 0);
-    }
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> values(left, Eigen::EigenvaluesOnly);
-  return {lambda, values.eigenvalues()(5) / 2};
+  const double of_ends = principal_values(Symmetric<double>{c[0][0] - lambda, c[1][1] - lambda, c[2][2] - lambda,
+                                                            c[0][1] - lambda, c[1][2] - lambda, c[0][2] - lambda})
+                             .largest;
+  return {lambda, std::max({of_ends / 2, c[3][3], c[4][4], c[5][5]})};
 }
 
 }  // namespace
