@@ -26,6 +26,19 @@ void CommonMirror<S>::list(std::span<const std::int32_t> nodes) {
 }
 
 template <class S>
+void CommonMirror<S>::set_own(const std::vector<std::int32_t>& nodes) {
+  if (nodes.size() == own_.size()) return;  // none goes
+  own_ = nodes;
+  device_.set_common(CommonSet::own, own_);
+}
+
+template <class S>
+void CommonMirror<S>::show_own_forces() {
+  for (const std::int32_t node : nodes_) std::fill_n(host_.force_of(node), 4, S(0));
+  if (!own_.empty()) read(CommonSet::own, NodeNumbers::force);
+}
+
+template <class S>
 void CommonMirror<S>::show_anew() {
   read(CommonSet::all, NodeNumbers::all);
   motion_ = force_ = {};

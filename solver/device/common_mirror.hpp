@@ -26,6 +26,10 @@ class CommonMirror {
   bool add(std::span<const std::int32_t> nodes);
   /// These of them are the listed ones.
   void list(std::span<const std::int32_t> nodes);
+  /// Of several ranks, and these are those whose forces this one gives to all.
+  void set_own(const std::vector<std::int32_t>& nodes);
+  /// Brings the forces of these to the host, where all others have none: before they go to all.
+  void show_own_forces();
   /// All numbers, also of those that were added last.
   void show_anew();
   /// For the host.
@@ -39,7 +43,8 @@ class CommonMirror {
   /// Motion is the same in both memories.
   void equal_motion() { motion_ = {}; }
   std::size_t bytes() const {
-    return is_common_.capacity() + (nodes_.capacity() + listed_.capacity()) * sizeof(std::int32_t) + numbers_.bytes();
+    return is_common_.capacity() + (nodes_.capacity() + listed_.capacity() + own_.capacity()) * sizeof(std::int32_t) +
+           numbers_.bytes();
   }
 
  private:
@@ -49,7 +54,10 @@ class CommonMirror {
     bool listed_on_host = false;
     bool listed_shown = false;  ///< those of the device are newer, but these the host has
   };
-  const std::vector<std::int32_t>& nodes_of(CommonSet of) const { return of == CommonSet::all ? nodes_ : listed_; }
+  const std::vector<std::int32_t>& nodes_of(CommonSet of) const {
+    if (of == CommonSet::own) return own_;
+    return of == CommonSet::all ? nodes_ : listed_;
+  }
   void read(CommonSet of, NodeNumbers numbers);
   void send(CommonSet of, NodeNumbers numbers);
   void give_listed();
@@ -63,7 +71,7 @@ class CommonMirror {
   DeviceStep<S>& device_;
   NodeStore<S>& host_;
   std::vector<std::uint8_t> is_common_;  ///< per node of the store
-  std::vector<std::int32_t> nodes_, listed_;
+  std::vector<std::int32_t> nodes_, listed_, own_;
   Newer motion_, force_;
   Array<S> numbers_;  ///< that cross over
 };

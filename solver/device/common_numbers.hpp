@@ -21,7 +21,8 @@ constexpr int records_of(NodeNumbers numbers) {
   return (has(numbers, NodeNumbers::motion) ? 2 : 0) + (has(numbers, NodeNumbers::force) ? 1 : 0);
 }
 
-/// All common nodes, or those of them that are listed (StepSpace).
-enum class CommonSet { all, listed };
+/// All common nodes, those of them that are listed (StepSpace), or, of several ranks, those whose forces this one gives
+/// to all (CommonNodes).
+enum class CommonSet { all, listed, own };
 
 }  // namespace pinball

@@ -77,46 +77,15 @@ DeviceRun<S>::DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>&
 }
 
 template <class S>
-void DeviceRun<S>::share_with_ranks() {
-  step_->set_pieces(ranks_->pieces());
-  domain_->bring_own_by([this] { bring_own(); });
-  domain_->keep_with_state([this] {
-    if (!knows_resting_) return;
-    rests_on_ranks_ = step_->read_resting();
-    domain_->share_tiles(rests_on_ranks_.data());
-  });
-}
-
-template <class S>
 void DeviceRun<S>::bring_back() {
   if (domain_ == nullptr) return bring_own();
   domain_->bring_back(model_);
-}
-
-/// Of several ranks: of what this one works.
-template <class S>
-void DeviceRun<S>::bring_own() {
-  if (!device_is_newer_) return;
-  common_->give(NodeNumbers::none);
-  step_->read(state_);
-  layout_.to_model(state_, model_);
-  common_->equal_motion();
-  device_is_newer_ = false;
 }
 
 template <class S>
 void DeviceRun<S>::bring_back_resting() {
   if (!knows_resting_) return;
   schedule_.set_resting(model_, domain_ == nullptr ? step_->read_resting() : rests_on_ranks_);
-}
-
-template <class S>
-void DeviceRun<S>::bring_nodes() {
-  NodeStore<S>& nodes = model_.nodes;
-  step_->read_nodes(nodes.position.data(), nodes.velocity.data(), nodes.force.data());
-  domain_->bring_nodes(model_);
-  step_->write_nodes(nodes.position.data(), nodes.velocity.data(), nodes.force.data());
-  nodes.force.reset(nodes.force.size());
 }
 
 template <class S>
@@ -209,6 +178,7 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Due& /*due*/, const E
   ElementTotals<S> totals = found ? update_anew(step) : step_->update_elements(step);
   if (ranks_) ranks_->exchange_forces(*step_);
   if (more_forces) step_->sum_corner_forces();
+  share_common_forces();
   if (ranks_) totals = ranks_->share(step_->pieces_of_parts(), totals);
   eroded_.clear();
   InternalForceResult<S> result;
@@ -280,43 +250,9 @@ MotionEnergy DeviceRun<S>::integrate(const Due& /*due*/, const StepLengths& step
   return ranks_ ? ranks_->integrate(*step_, step) : step_->integrate(step);
 }
 
-/// All numbers of the new ones are shown, for those of the others are, too.
-template <class S>
-void DeviceRun<S>::take_in(std::span<const std::int32_t> nodes) {
-  common_->give(NodeNumbers::none);
-  if (common_->add(nodes)) common_->show_anew();
-}
-
 template <class S>
 void DeviceRun<S>::take_masses() {
   step_->write_masses(model_.nodes.inverse_mass.data(), model_.node_mass.data());
-}
-
-template <class S>
-std::vector<std::int64_t> DeviceRun<S>::eroded_slots() {
-  if (eroded_count_ == 0 || !eroded_.empty()) return eroded_;
-  any_eroded_ = true;
-  Array<S>& mass = model_.elements.mass.template in<S>();
-  for (const std::int64_t place : step_->take_eroded()) {
-    eroded_.push_back(layout_.slot_of_place(place));
-    mass[eroded_.back()] = 0;
-  }
-  return eroded_;
-}
-
-template <class S>
-void DeviceRun<S>::show_strains(const Surface& surface) {
-  if (!any_eroded_) return;
-  std::vector<std::int64_t> slots, places;
-  for (std::int32_t tile = 0; tile < model_.tile_count(); ++tile) {
-    if (!model_.parts[model_.tile_part[tile]].features.erosion) continue;
-    for (const std::int64_t slot : model_.slots_of(tile)) {
-      if (surface.exposed(slot) == 0) continue;
-      slots.push_back(slot);
-      places.push_back(layout_.place_of_slot(slot));
-    }
-  }
-  bring_strains(slots, places);
 }
 
 template <class S>

@@ -43,13 +43,14 @@ class DeviceRun final : public StepSpace<S> {
   InternalForceResult<S> update_elements(const Due& due, const ElementStep<S>& step, bool more_forces) override;
   MotionEnergy integrate(const Due& due, const StepLengths& step) override;
 
-  void add_common(std::span<const std::int32_t> nodes) override { common_->add(nodes); }
+  void add_common(std::span<const std::int32_t> nodes) override;
   void take_in(std::span<const std::int32_t> nodes) override;
   void show(NodeNumbers numbers) override { common_->show(numbers); }
   void take(NodeNumbers changed) override { common_->take(changed); }
   void list(std::span<const std::int32_t> nodes) override { common_->list(nodes); }
   void show_listed(NodeNumbers numbers) override { common_->show_listed(numbers); }
   void take_listed(NodeNumbers changed) override { common_->take_listed(changed); }
+  Sharers* sharers() override { return domain_ != nullptr ? &domain_->sharers() : nullptr; }
   void take_masses() override;
   std::vector<std::int64_t> eroded_slots() override;
   void show_strains(const Surface& surface) override;
@@ -72,6 +73,7 @@ class DeviceRun final : public StepSpace<S> {
 
  private:
   void share_with_ranks();
+  void share_common_forces();
   ElementTotals<S> update_anew(const ElementStep<S>& step);
   typename DeviceRanks<S>::Resting wake();
   bool take_changes();

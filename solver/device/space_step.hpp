@@ -194,11 +194,14 @@ class SpaceStep final : public DeviceStep<S> {
     return corner_.bytes() + mass_share_.bytes() + folding_onset_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() +
            first_of_node_.bytes() + corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() +
            left_.bytes() + tile_.bytes() + resting_.bytes() + halo_.bytes() + volumes_.bytes() + common_.bytes() +
-           listed_.bytes() + eroded_.bytes() + (bodies_ ? bodies_->bytes() : 0);
+           listed_.bytes() + own_.bytes() + eroded_.bytes() + (bodies_ ? bodies_->bytes() : 0);
   }
 
  private:
-  SpaceRecords<S, Space>& records(CommonSet of) { return of == CommonSet::all ? common_ : listed_; }
+  SpaceRecords<S, Space>& records(CommonSet of) {
+    if (of == CommonSet::own) return own_;
+    return of == CommonSet::all ? common_ : listed_;
+  }
   CommonRecords<S> common(NodeNumbers which) {
     return {which, state_.position.data(), state_.velocity.data(), force_.data()};
   }
@@ -325,7 +328,7 @@ class SpaceStep final : public DeviceStep<S> {
   SpaceResting<S, Space> resting_;
   SpaceHalo<S, Space> halo_;
   std::vector<SomePieces<S>> pieces_;  ///< of each part; empty: this process is alone
-  SpaceRecords<S, Space> common_, listed_;
+  SpaceRecords<S, Space> common_, listed_, own_;
   SpaceEroded<S, Space> eroded_;
   std::optional<SpaceBodySums<S, S, device_row, Space>> bodies_;
   NodalVolumeLists<S, Memory> volumes_;

@@ -24,6 +24,8 @@ class CommonNodes {
   bool any() const { return count_ > 0; }
   std::int64_t count() const { return count_; }
   bool has(std::int64_t node) const { return is_common_[node] != 0; }
+  /// Those whose forces this rank has for all.
+  const std::vector<std::int32_t>& own() const { return of_rank_[ranks_.number()]; }
   /// owner(node): the rank that has the forces of a node, and its motion until it is common. nodes: some perhaps
   /// several times, or common already. Returns whether any were not.
   template <class Owner>

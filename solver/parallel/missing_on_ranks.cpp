@@ -18,9 +18,6 @@ std::string missing_on_ranks(const Scene& scene, bool averages_volumes) {
     if (is_there) missing.emplace_back(what);
   };
   add(scene.time.subcycling, "subcycling");
-  add(scene.contact.method != ContactMethod::none, "contact");
-  add(!scene.tied_contacts.empty(), "tied contact");
-  add(!scene.rigid_bodies.empty(), "rigid bodies");
   add(averages_volumes, "elements with averaged volumes");
   return fmt::format("{}", fmt::join(missing, ", "));
 }

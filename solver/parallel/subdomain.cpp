@@ -9,6 +9,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
+#include <solver/base/piece_share.hpp>
 #include <solver/base/state_hash.hpp>
 
 #include "missing_on_ranks.hpp"
@@ -167,6 +168,31 @@ void Subdomain<S>::share_eroded(Model<S>& model, const std::vector<std::int64_t>
     model.elements.mass[slot] = 0;
   }
   has_eroded_ = has_eroded_ || !all.empty();
+}
+
+template <class S>
+std::vector<std::int64_t> Subdomain<S>::join_eroded(Model<S>& model, const std::vector<std::int64_t>& own) {
+  std::vector<std::int64_t> all;
+  for (const std::span<const std::byte> of_rank : sharers_.to_all(std::as_bytes(std::span(own)))) {
+    std::vector<std::int64_t> slots(of_rank.size() / sizeof(std::int64_t));
+    std::span<const std::byte> rest = of_rank;
+    get(rest, std::span(slots));
+    all.insert(all.end(), slots.begin(), slots.end());
+  }
+  std::sort(all.begin(), all.end());
+  for (const std::int64_t slot : all) {
+    is_alive_[slot] = 0;
+    model.elements.mass[slot] = 0;
+  }
+  has_eroded_ = has_eroded_ || !all.empty();
+  return all;
+}
+
+template <class S>
+void Subdomain<S>::take_out_eroded(Model<S>& model) const {
+  for (std::int64_t slot = 0; slot < std::ssize(is_alive_); ++slot) {
+    if (is_alive_[slot] == 0) model.elements.mass[slot] = 0;
+  }
 }
 
 template <class S>

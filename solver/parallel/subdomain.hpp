@@ -97,6 +97,11 @@ class Subdomain final : public SharedNodes {
   /// Which forces cross between ranks; another one when plans() is another number.
   const CornerPlan& corner_plan() const { return *plan_; }
   std::int64_t plans() const { return plans_; }
+  // Of ranks with a device each:
+  bool has_common() const { return common_.any(); }
+  /// Common nodes whose element forces this rank has; those of all others come by share_forces().
+  const std::vector<std::int32_t>& own_common() const { return common_.own(); }
+  void share_forces(NodeStore<S>& nodes) { common_.share_forces(nodes); }
   // Of ranks whose elements the host works:
   /// Nodes at the corners of elements as kernels see them (ElementView).
   const std::int32_t* corner() const { return corners_->corner(); }
@@ -120,6 +125,10 @@ class Subdomain final : public SharedNodes {
   }
   /// Which elements have eroded in the step: all ranks take them out. of_tile: how many, known to all.
   void share_eroded(Model<S>& model, const std::vector<std::int64_t>& of_tile);
+  /// The same where each rank has a list of its own (slots); returns those of all, ascending.
+  std::vector<std::int64_t> join_eroded(Model<S>& model, const std::vector<std::int64_t>& own);
+  /// What all know to have eroded has no mass in the model, whoever has worked it.
+  void take_out_eroded(Model<S>& model) const;
   /// Where elements have eroded since: the strains of the surface, from which contact guesses what erodes next.
   void share_strains(Model<S>& model, const Surface& surface);
   /// Nodes that are common from now on, with their motion and forces: those of new surface.

@@ -267,7 +267,7 @@ TEST(Ranks, RefuseByNameWhatTheyCannotDo) {
   scene.output.body_energies = true;
   scene.prescribed_velocities[0].when.end = 1e-4;
   scene.device = Device::mock;
-  EXPECT_EQ(missing_on_ranks(scene, true), "subcycling, contact, elements with averaged volumes");
+  EXPECT_EQ(missing_on_ranks(scene, true), "subcycling, elements with averaged volumes");
   scene.time.subcycling = false;
   scene.device = Device::none;
   EXPECT_EQ(missing_on_ranks(scene, true), "");
@@ -279,13 +279,14 @@ TEST(Ranks, RefuseByNameWhatTheyCannotDo) {
   EXPECT_EQ(missing_on_ranks(one, false), "subcycling");
   one.device = Device::none;
   EXPECT_EQ(missing_on_ranks(one, false), "");
-  const Scene refused = on_a_device(pressed_blocks(1e-3));
+  const Scene refused = on_a_device(torn_tetrahedra());
   const std::string error = error_of([&] {
     on_ranks(
         2, {}, [&](ThreadRanks& ranks) { return Solver<double>(refused, &ranks), 0; },
         [&](ThreadRanks& ranks) { EXPECT_THROW(Solver<double>(refused, &ranks), InputError); });
   });
-  EXPECT_THAT(error, testing::HasSubstr("several ranks with a device each cannot do this scene yet: it has contact"));
+  EXPECT_THAT(error, testing::HasSubstr("several ranks with a device each cannot do this scene yet: it has elements "
+                                        "with averaged volumes"));
 }
 
 TEST(Ranks, FailAllInOneWayWhereAGuardEndsTheRun) {

@@ -61,18 +61,7 @@ TEST(SameBits, OfPointMasses) {
   expect_same<double>(scene);
 }
 
-TEST(SameBits, OfEquations) {
-  Scene scene = held_and_driven();
-  scene.rigid_walls.resize(1);
-  scene.rigid_walls[0].nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
-  for (const auto& [body, factor] : {std::pair{"a", 1.0}, {"b", -1.0}}) {
-    EquationTerm term{"even", {0, 0.6, 0.8}, factor, {}};
-    term.nodes.body = body;
-    term.nodes.box = body[0] == 'a' ? Box{{0.3, 0.2, 0.3}, {0.6, 0.4, 0.5}} : Box{{2.1, 0.2, 0.6}, {2.4, 0.4, 0.8}};
-    scene.equation_terms.push_back(term);
-  }
-  expect_same<double>(scene);
-}
+TEST(SameBits, OfEquations) { expect_same<double>(with_equations()); }
 
 TEST(SameBits, WhereMostTilesRest) { EXPECT_GT(expect_same<double>(resting_bar()).resting, 0); }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/torn_block.hpp>
 
@@ -39,6 +41,20 @@ inline Scene held_and_driven() {
   blast.pressure = 3e7;
   blast.faces.plane = Plane{{0.9, 0, 0}, {1, 0, 0}};
   scene.pressures = {blast};
+  return scene;
+}
+
+/// Nodes of two bodies that move alike.
+inline Scene with_equations() {
+  Scene scene = held_and_driven();
+  scene.rigid_walls.resize(1);
+  scene.rigid_walls[0].nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
+  for (const auto& [body, factor] : {std::pair{"a", 1.0}, {"b", -1.0}}) {
+    EquationTerm term{"even", {0, 0.6, 0.8}, factor, {}};
+    term.nodes.body = body;
+    term.nodes.box = body[0] == 'a' ? Box{{0.3, 0.2, 0.3}, {0.6, 0.4, 0.5}} : Box{{2.1, 0.2, 0.6}, {2.4, 0.4, 0.8}};
+    scene.equation_terms.push_back(term);
+  }
   return scene;
 }
 
