@@ -242,12 +242,13 @@ void add_footer(CLI::App& command, const std::string& examples) {
                  "share/pinball/data/scenes/README.md where the program is installed.");
 }
 
-/// Of those that one mpirun has started, rank 0 alone speaks. Throws InputError for a command that needs none.
-void take_ranks(pinball::Ranks& ranks, const pinball::Partition& partition, bool run) {
+/// Of those that one mpirun has started, rank 0 alone speaks. makes_runs: a command that is no run, but makes several.
+/// Throws InputError for that.
+void take_ranks(pinball::Ranks& ranks, const pinball::Partition& partition, bool makes_runs) {
   ranks.partition = partition;
   if (ranks.number() > 0) pinball::mute_output();
-  if (ranks.count() > 1 && !run) {
-    throw pinball::InputError("mpirun: expected pinball run, the other commands work without it");
+  if (ranks.count() > 1 && makes_runs) {
+    throw pinball::InputError("mpirun: expected pinball run; compare, converge and verify work without it");
   }
 }
 
@@ -333,8 +334,15 @@ int run_program(int argc, char** argv, std::unique_ptr<pinball::Ranks>& ranks) {
   if (*info) pinball::start_again_with_short_waits(argv, 0);
   pinball::catch_stop_signals(*run || *converge ? pinball::AtSignal::ask : pinball::AtSignal::end);
   ranks = pinball::join_ranks();
-  if (ranks) take_ranks(*ranks, partition, static_cast<bool>(*run));
-  if (ranks && ranks->count() > 1) options.ranks = ranks.get();
+  if (ranks) take_ranks(*ranks, partition, *compare || *converge || *verify);
+  if (ranks && ranks->count() > 1) {
+    options.ranks = ranks.get();
+    if (!*run) {  // what is done once rank 0 does by itself, and has no messages to wait for
+      const bool is_first = ranks->number() == 0;
+      ranks.reset();
+      if (!is_first) return 0;
+    }
+  }
   if (*run) return pinball::run_command(options);
   if (*info) return pinball::info_command(asked);
   if (*verify) return pinball::verify_command(verification);

@@ -197,8 +197,23 @@ def errors():
                                               "--set", "output.field_times=[]")
     assert summary(FOLDER / f"failed{ranks}")["status"] == "failed"
     assert (FOLDER / f"failed{ranks}" / "last_good.pinball").exists()
-    status, _, said = mpirun(2, "info", "block")
-    assert status == 2 and "mpirun: expected pinball run" in said, said
+
+
+def commands_of_one():
+    """What is no run rank 0 does alone, once."""
+    (FOLDER / "new").mkdir()
+    for words in ["info", "block"], ["schema", "--keys"], ["view", "--help"], ["new", "first", "--out", FOLDER / "new"]:
+        status, out, errors = mpirun(3, *words)
+        assert status == 0 and errors == "", (words, errors)
+        if words[0] != "new":
+            alone = subprocess.run([ALONE, *words], capture_output=True, text=True, check=True).stdout
+            timeless = lambda text: [line for line in text.splitlines() if "run time about" not in line]
+            assert timeless(out) == timeless(alone) != [], words
+    assert (FOLDER / "new" / "first.toml").exists()
+    for words, expected in (["info", "nothing_of_this_name"], "no such scene"), (["compare", "block"], "mpirun: expected pinball run"):
+        status, _, errors = mpirun(3, *words)
+        messages = [line for line in errors.splitlines() if line.startswith("pinball: error: ")]
+        assert status == 2 and len(messages) == 1 and expected in messages[0], (words, errors)
 
 
 def unlike_programs():
@@ -250,7 +265,8 @@ def main():
     if len(sys.argv) > 4:
         every_input(pathlib.Path(sys.argv[4]))
         return 0
-    for check in (same_results, a_device_each, tetrahedra_of_a_deck, partition_by_metis, checkpoint_of_three_on_others, errors, unlike_programs, killed_rank):
+    for check in (same_results, a_device_each, tetrahedra_of_a_deck, partition_by_metis, checkpoint_of_three_on_others, errors,
+                  commands_of_one, unlike_programs, killed_rank):
         check()
         print(check.__name__, "as expected", flush=True)
     return 0
