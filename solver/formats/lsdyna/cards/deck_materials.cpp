@@ -21,8 +21,7 @@ using MaterialKeys = DeckKeys<Material>;
 MaterialKeys begin_material(std::int64_t id, const std::string& title, const KeywordBlock& block, const Fields& f,
                             DeckScene& scene) {
   const std::string kind = keyword_alias(block.name);
-  const bool plastic = kind != "MAT_ELASTIC" && kind != "MAT_RIGID" && kind != "MAT_MOONEY-RIVLIN_RUBBER" &&
-                       kind != "MAT_OGDEN_RUBBER" && kind != "MAT_ORTHOTROPIC_ELASTIC";
+  const bool plastic = kind != "MAT_ELASTIC" && kind != "MAT_RIGID" && !energy_of(kind);
   auto keys = scene.entry<Material>("material", {block.star_name(), f.place()});
   keys.comment(title);
   keys.set("name", fmt::format("mat_{}", id));
@@ -38,6 +37,7 @@ void set_elasticity(const Fields& f, const MaterialKeys& keys) {
 
 const CardLayout& layout_of(const KeywordBlock& block) {
   const std::string kind = keyword_alias(block.name);
+  if (const auto energy = energy_of(kind)) return layout_of(*energy);
   if (kind == "MAT_JOHNSON_COOK") return layout::johnson_cook;
   if (kind == "MAT_ELASTIC") return layout::elastic;
   if (kind == "MAT_RIGID") return layout::rigid;
@@ -45,9 +45,6 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_NULL") return layout::null;
   if (kind == "MAT_SOIL_AND_FOAM" || kind == "MAT_SOIL_AND_FOAM_FAILURE") return layout::soil;
   if (kind == "MAT_CRUSHABLE_FOAM") return layout::crushable_foam;
-  if (kind == "MAT_MOONEY-RIVLIN_RUBBER") return layout::mooney_rivlin;
-  if (kind == "MAT_OGDEN_RUBBER") return layout::ogden;
-  if (kind == "MAT_ORTHOTROPIC_ELASTIC") return layout::orthotropic;
   if (kind == "MAT_POWER_LAW_PLASTICITY") return layout::power_law;
   if (kind == "MAT_ISOTROPIC_ELASTIC_PLASTIC") return layout::isotropic_plastic;
   if (kind == "MAT_SIMPLIFIED_JOHNSON_COOK") return layout::simplified_johnson_cook;
@@ -358,16 +355,8 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
     return;
   }
   data.reject_state_equations(id, block.star_name());
-  if (kind == "MAT_MOONEY-RIVLIN_RUBBER") {
-    set_rubber(data, f, cards, keys);
-    return;
-  }
-  if (kind == "MAT_OGDEN_RUBBER") {
-    set_ogden(data, block, f, cards, keys);
-    return;
-  }
-  if (kind == "MAT_ORTHOTROPIC_ELASTIC") {
-    set_orthotropic(data, f, cards, keys);
+  if (const auto energy = energy_of(kind)) {
+    set_energy(data, *energy, block, f, cards, keys);
     return;
   }
   if (kind == "MAT_ISOTROPIC_ELASTIC_PLASTIC") {

@@ -230,6 +230,41 @@ inline constexpr CardLayout ogden_moduli{material_stress("MU1"), material_stress
 inline constexpr CardLayout ogden_exponents{number("ALPHA1"), number("ALPHA2"), number("ALPHA3"), number("ALPHA4"),
                                             number("ALPHA5"), number("ALPHA6"), number("ALPHA7"), number("ALPHA8")};
 
+inline constexpr CardLayout hyperelastic{material_id,
+                                         density,
+                                         poisson,
+                                         whole("N").rejected("leave it 0, and give C10 to C02: they are not fitted"),
+                                         whole("NV").reported("there is no test"),
+                                         number("G").rejected(not_viscous),
+                                         number("SIGF").rejected(not_viscous),
+                                         number("REF").rejected("leave it 0: the mesh has no stress")};
+inline constexpr std::string_view no_mixed_power = "leave it 0: it is no sum of powers of stretches";
+inline constexpr CardLayout hyperelastic_constants{
+    material_stress("C10"),
+    material_stress("C01"),
+    number("C11").rejected(no_mixed_power),
+    material_stress("C20"),
+    material_stress("C02"),
+    number("C30").rejected(no_mixed_power),
+    whole("THERML").rejected("leave it 0: its constants do not depend on temperature")};
+inline constexpr CardLayout blatz_ko{material_id, density, material_stress("G").always().at_least(0),
+                                     number("REF").rejected("leave it 0: the mesh has no stress")};
+inline constexpr CardLayout hill_foam{material_id,
+                                      density,
+                                      number("K").reported("of steps and contact stiffnesses"),
+                                      number("N").at_least(0),
+                                      number("MU").rejected("leave it 0: there is no damping"),
+                                      whole("LCID").rejected("leave it 0, and give C and B: they are not fitted"),
+                                      whole("FITTYPE").reported("there is no test"),
+                                      whole("LCSR").reported("there is no test")};
+inline constexpr CardLayout hill_moduli{material_stress("C1"), material_stress("C2"), material_stress("C3"),
+                                        material_stress("C4"), material_stress("C5"), material_stress("C6"),
+                                        material_stress("C7"), material_stress("C8")};
+inline constexpr CardLayout hill_exponents{number("B1"), number("B2"), number("B3"), number("B4"),
+                                           number("B5"), number("B6"), number("B7"), number("B8")};
+inline constexpr CardLayout hill_unloading{number("R").rejected("leave it 0: it unloads as it is loaded"),
+                                           number("M").reported("there is no R")};
+
 inline constexpr std::string_view of_other_axes = "of another AOPT than 2";
 inline constexpr CardLayout orthotropic{material_id,
                                         density,

@@ -72,6 +72,9 @@ void add_definitions(Table& table) {
                    "",
                    {&l::orthotropic, &l::orthotropic_shear, &l::orthotropic_first, &l::orthotropic_second}});
   table.push_back({"MAT_MOONEY-RIVLIN_RUBBER", "", {&l::mooney_rivlin, &l::mooney_rivlin_test}});
+  table.push_back({"MAT_BLATZ-KO_RUBBER", "", {&l::blatz_ko}});
+  table.push_back({"MAT_HYPERELASTIC_RUBBER", "", {&l::hyperelastic, &l::hyperelastic_constants}});
+  table.push_back({"MAT_HILL_FOAM", "", {&l::hill_foam, &l::hill_moduli, &l::hill_exponents, &l::hill_unloading}});
   table.push_back({"MAT_OGDEN_RUBBER", "", {&l::ogden, &l::ogden_moduli, &l::ogden_exponents}});
   table.push_back({"MAT_POWER_LAW_PLASTICITY", "", {&l::power_law, &l::power_law_more}});
   table.push_back({"MAT_PIECEWISE_LINEAR_PLASTICITY", "SIGY and ETAN", {&l::piecewise, &l::piecewise_rate}});
