@@ -6,10 +6,12 @@
 
 namespace pinball {
 
-/// *HYPERELASTIC of Mooney and Rivlin, of Hooke's kind (NEO HOOKE) or of powers of stretches (OGDEN).
+/// *HYPERELASTIC of Mooney and Rivlin, of Hooke's kind (NEO HOOKE) or of powers of stretches (OGDEN, and polynomials
+/// that are such sums), and *HYPERFOAM.
 struct AbaqusRubber {
   double a = 0, b = 0;                        ///< C10, C01 [stress]
-  std::vector<double> moduli{}, exponents{};  ///< of OGDEN: m = 2 mu/alpha, alpha; else none [stress], [-]
+  std::vector<double> moduli{}, exponents{};  ///< of powers: m = 2 mu/alpha, alpha; else none [stress], [-]
+  bool whole = false;                         ///< powers of whole stretches: *HYPERFOAM
   double poisson = 0;                         ///< of small strains, from D1 [-]
 
   double shear_modulus() const;

@@ -26,6 +26,7 @@ struct AbaqusMaterial {
                                             "RATEDEPENDENT",
                                             "SHEARFAILURE",
                                             "HYPERELASTIC",
+                                            "HYPERFOAM",
                                             "DAMPING",
                                             "EXPANSION",
                                             "SPECIFICHEAT",

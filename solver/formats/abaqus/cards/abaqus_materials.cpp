@@ -160,9 +160,11 @@ void set_plasticity(AbaqusData& data, const WrittenMaterial& material, MaterialK
 
 /// Moduli; where plastic work warms it and it expands, the bulk modulus as part of an equation of state.
 void set_elasticity(AbaqusData& data, const WrittenMaterial& material, double density, MaterialKeys keys) {
-  if (const AbaqusBlock* rubber = material.deck.option("HYPERELASTIC")) {
-    set_hyperelasticity(data, material, *rubber, keys);
-    return;
+  for (const char* name : {"HYPERELASTIC", "HYPERFOAM"}) {
+    if (const AbaqusBlock* rubber = material.deck.option(name)) {
+      set_hyperelasticity(data, material, *rubber, keys);
+      return;
+    }
   }
   const AbaqusBlock& block = required(material.deck, "ELASTIC", "*ELASTIC");
   if (is_orthotropic(block)) {
@@ -324,8 +326,9 @@ std::vector<double> abaqus_densities_of_parts(const AbaqusData& data) {
 std::map<std::string, double> abaqus_moduli(const AbaqusDeck& deck) {
   std::map<std::string, double> moduli = first_numbers(deck, "ELASTIC", "Young's modulus");
   for (const auto& [key, material] : materials_of(deck)) {
-    if (const AbaqusBlock* rubber = material.option("HYPERELASTIC"))
-      moduli[key] = abaqus_rubber(*rubber).young_modulus();
+    for (const char* name : {"HYPERELASTIC", "HYPERFOAM"}) {
+      if (const AbaqusBlock* rubber = material.option(name)) moduli[key] = abaqus_rubber(*rubber).young_modulus();
+    }
   }
   return moduli;
 }

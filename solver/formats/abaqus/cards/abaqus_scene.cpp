@@ -62,14 +62,15 @@ std::string rejected_data(const AbaqusBlock& block) {
   const bool depends =
       (is_one_constant(block) && depends_on_more(block, 1, true)) ||
       (is_isotropic && depends_on_more(block, 2, true)) ||
-      (name == "HYPERELASTIC" && !block.has("OGDEN") && depends_on_more(block, block.has("NEOHOOKE") ? 2 : 3, true)) ||
+      (name == "HYPERELASTIC" && (block.has("NEOHOOKE") || block.has("MOONEY-RIVLIN")) &&
+       depends_on_more(block, block.has("NEOHOOKE") ? 2 : 3, true)) ||
       (is_johnson_cook && depends_on_more(block, 6, true)) ||
       (name == "DRUCKERPRAGER" && depends_on_more(block, 3, true)) ||
       (name == "DRUCKERPRAGERHARDENING" && depends_on_more(block, 2, false)) ||
       ((name == "PLASTIC" || name == "RATEDEPENDENT") && !is_johnson_cook && depends_on_more(block, 2, false));
   if (depends) return block.star_name() + " that depends on temperature or fields";
-  if (name == "HYPERELASTIC" && !block.has("NEOHOOKE") && !block.has("MOONEY-RIVLIN") && !block.has("OGDEN"))
-    return "*HYPERELASTIC without NEO HOOKE, MOONEY-RIVLIN and OGDEN";
+  if ((name == "HYPERELASTIC" || name == "HYPERFOAM") && block.has("TESTDATAINPUT"))
+    return block.star_name() + " of test data (it is not fitted: give its constants)";
   if (name == "DLOAD" || name == "DSLOAD") return rejected_load(block);
   if (name == "DAMPING" && block.number("BETA", 0.0) != 0) return "*DAMPING, BETA";
   return "";
