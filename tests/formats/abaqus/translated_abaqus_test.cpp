@@ -324,13 +324,13 @@ TEST_F(Abaqus, BodiesMayDifferByQuotesAlone) {
 TEST_F(Abaqus, WhatCannotBeDoneIsRefusedInOneMessageBeforeTheMeshIsRead) {
   const std::string wrong =
       "*NODE\nno number\n*ELEMENT, TYPE=S4R\n*ELEMENT, TYPE=C3D27\n*ELEMENT, TYPE=C3D27\n"
-      "*Shell Section, ELSET=a\n*MPC\n";
+      "*Shell Section, ELSET=a\n*CONNECTOR SECTION\n";
   EXPECT_EQ(error(wrong + abaqus_step("*FIXED MASS SCALING, DT=1e-7, TYPE=UNIFORM\n") + "*STEP\n*STATIC\n*END STEP\n"),
             "deck.inp: cannot be run, for this version has not:\n"
             "  *ELEMENT, TYPE=S4R (deck.inp:3)\n"
             "  *ELEMENT, TYPE=C3D27 (2 times, first in deck.inp:4)\n"
             "  *SHELL SECTION (deck.inp:6)\n"
-            "  *MPC (deck.inp:7)\n"
+            "  *CONNECTOR SECTION (deck.inp:7)\n"
             "  *FIXED MASS SCALING, TYPE=UNIFORM (deck.inp:11)\n"
             "  *STATIC (deck.inp:14)");
 }
@@ -353,7 +353,7 @@ TEST_F(Abaqus, LenientLeavesOutOutputAndControlsAlone) {
   const std::string deck = abaqus_cube + abaqus_steel + abaqus_step("*UNHEARD OUTPUT\n");
   EXPECT_THAT(error(deck), HasSubstr("*UNHEARD OUTPUT"));
   EXPECT_EQ(error(deck, lenient), no_error);
-  EXPECT_THAT(error(abaqus_cube + "*MPC\n", lenient), HasSubstr("*MPC"));
+  EXPECT_THAT(error(abaqus_cube + "*CONNECTOR SECTION\n", lenient), HasSubstr("*CONNECTOR SECTION"));
 }
 
 TEST_F(Abaqus, WhatIsMissingIsNamedWithItsPlace) {

@@ -20,6 +20,26 @@ bool is_unsorted(const AbaqusData& data, const std::string& label) {
   });
 }
 
+/// Numbers of the nodes of a label, ascending; none where they are refused.
+std::vector<std::int64_t> numbers_of_solids(AbaqusData& data, const AbaqusBlock& block, const std::string& label,
+                                            const DeckPlace& place) {
+  const AbaqusNodes nodes = data.nodes(label, place);
+  const auto reject = [&](const char* of_what, const char* advice) {
+    data.report.reject(place, block.star_name() + of_what, advice);
+    return std::vector<std::int64_t>{};
+  };
+  if (data.has_reference(nodes)) return reject(" of the reference node of a rigid body", "");
+  if (nodes.members.size() > 1 && is_unsorted(data, label))
+    return reject(" of sets that are UNSORTED", "give each node its own equation");
+  std::vector<std::int64_t> numbers;
+  for (const std::int32_t node : nodes.members) {
+    if (!data.used[node]) return reject(" of a node of no solid", "a node without mass cannot move");
+    numbers.push_back(data.mesh.file.node_ids[node]);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
 /// *EQUATION: a line with the number of terms, then up to four of them to a line: node or set, degree of freedom,
 /// factor.
 class EquationCards {
@@ -52,25 +72,15 @@ class EquationCards {
     const std::string label = f.text(field);
     const std::int64_t degree = f.integer(field + 1, "degree of freedom");
     const double factor = f.number(field + 2, "coefficient", 0.0);
-    const AbaqusNodes nodes = data_.nodes(label, f.place());
-    const bool several = nodes.members.size() > 1;
+    const bool several = data_.nodes(label, f.place()).members.size() > 1;
     if (is_first) of_sets_ = several;
     if (degree < 1 || degree > 3)
       return data_.report.reject(f.place(), fmt::format("*EQUATION with degree of freedom {}", degree),
                                  "1 to 3, displacements of nodes of solids");
-    if (data_.has_reference(nodes))
-      return data_.report.reject(f.place(), "*EQUATION of the reference node of a rigid body");
     if (several && !of_sets_)
       fail_at(f.place(), "*EQUATION: expected a node, as in the first term, got a set of several");
-    if (several && is_unsorted(data_, label))
-      return data_.report.reject(f.place(), "*EQUATION of sets that are UNSORTED", "give each node its own equation");
-    std::vector<std::int64_t> numbers;
-    for (const std::int32_t node : nodes.members) {
-      if (!data_.used[node])
-        return data_.report.reject(f.place(), "*EQUATION of a node of no solid", "a node without mass cannot move");
-      numbers.push_back(data_.mesh.file.node_ids[node]);
-    }
-    std::sort(numbers.begin(), numbers.end());
+    const std::vector<std::int64_t> numbers = numbers_of_solids(data_, block_, label, f.place());
+    if (numbers.empty()) return;
     if (factor == 0) fail_at(f.place(), "*EQUATION: expected a coefficient that is not 0, got 0");
     Point direction{};
     direction[degree - 1] = 1;
@@ -88,17 +98,82 @@ class EquationCards {
   bool of_sets_ = false;  ///< whether the first term is of several nodes
 };
 
+/// *MPC: lines of a kind and nodes or sets, of which the first follow the others.
+class MpcCards {
+ public:
+  MpcCards(AbaqusData& data, const AbaqusBlock& block, DeckScene& scene) : data_(data), block_(block), scene_(scene) {}
+
+  void translate(int& count) {
+    DataLines lines(block_);
+    while (const auto line = lines.next()) {
+      const DataFields f(*line);
+      const std::string kind = squeezed(f.text(0));
+      const bool is_pair = kind == "PIN" || kind == "TIE";
+      if (!is_pair && kind != "LINEAR") {
+        data_.report.reject(f.place(), "*MPC, " + kind,
+                            "PIN, TIE and LINEAR are done; what is rigid is a *RIGID BODY with a TIE NSET");
+        continue;
+      }
+      numbers_.clear();
+      for (std::size_t i = 1; i <= (is_pair ? 2U : 3U); ++i)
+        numbers_.push_back(numbers_of_solids(data_, block_, f.text(i), f.place()));
+      if (std::ranges::any_of(numbers_, [](const auto& of_label) { return of_label.empty(); })) continue;
+      write(f, is_pair ? std::vector<double>{1, -1} : shares_of_line(f), count);
+    }
+  }
+
+ private:
+  /// Of what follows two others along their line as it lies at the start.
+  std::vector<double> shares_of_line(const DataFields& f) {
+    std::vector<Point> x;
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      if (numbers_[i].size() != 1) fail_at(f.place(), "*MPC, LINEAR: expected nodes, got a set of several");
+      x.push_back(data_.mesh.file.mesh.nodes[data_.nodes(f.text(i + 1), f.place()).members.front()]);
+    }
+    const Point along = minus(x[2], x[1]);
+    if (!(dot(along, along) > 0)) fail_at(f.place(), "*MPC, LINEAR: expected two nodes in different places");
+    const double share = dot(minus(x[0], x[1]), along) / dot(along, along);
+    return {1, share - 1, -share};
+  }
+
+  void write(const DataFields& f, const std::vector<double>& factors, int& count) {
+    if (numbers_[0].size() == 1 && numbers_[1].size() > 1)
+      fail_at(f.place(), "*MPC: expected a node behind a node, got a set of several");
+    ++count;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Point direction{};
+      direction[k] = 1;
+      for (std::size_t i = 0; i < numbers_.size(); ++i) {
+        if (factors[i] == 0) continue;
+        const auto keys = scene_.entry<EquationTerm>("equation", card_of(block_, f.place()));
+        keys.set("name", fmt::format("mpc_{}_{}", count, "xyz"[k]));
+        keys.set("direction", direction);
+        keys.set("factor", factors[i]);
+        keys.set("nodes", numbers_[i]);
+      }
+    }
+  }
+
+  AbaqusData& data_;
+  const AbaqusBlock& block_;
+  DeckScene& scene_;
+  std::vector<std::vector<std::int64_t>> numbers_;  ///< of the nodes of each label of a line
+};
+
 }  // namespace
 
 void translate_abaqus_equations(AbaqusData& data, DeckScene& scene) {
-  int count = 0;
+  int equations = 0, mpcs = 0;
   for (const AbaqusBlock& block : data.deck.blocks) {
-    if (block.name != "EQUATION") continue;
+    const bool is_equation = block.name == "EQUATION";
+    if (!is_equation && block.name != "MPC") continue;
     if (!block.part.empty() || !block.instance.empty()) {
-      data.report.reject(block.place, "*EQUATION in a part or an instance", "move it into *ASSEMBLY");
-      continue;
+      data.report.reject(block.place, block.star_name() + " in a part or an instance", "move it into *ASSEMBLY");
+    } else if (is_equation) {
+      EquationCards(data, block, scene).translate(equations);
+    } else {
+      MpcCards(data, block, scene).translate(mpcs);
     }
-    EquationCards(data, block, scene).translate(count);
   }
 }
 

@@ -50,7 +50,7 @@ void tell_unused_walls(AbaqusData& data);
 
 /// BOUNDARY: [[constraint]] and [[prescribed_velocity]], of reference nodes [[rigid_motion]].
 void translate_abaqus_boundary(AbaqusData& data, DeckScene& scene);
-/// EQUATION: [[equation]], a term each.
+/// EQUATION and MPC: [[equation]], a term each.
 void translate_abaqus_equations(AbaqusData& data, DeckScene& scene);
 void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene);
 /// CLOAD, DLOAD: [[load]], [[gravity]].
