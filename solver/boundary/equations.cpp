@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -27,10 +28,12 @@ Point times(const std::array<Point, 3>& matrix, const Point& x) {
   return {dot(matrix[0], x), dot(matrix[1], x), dot(matrix[2], x)};
 }
 
-/// Place of a row in a lower triangle.
-std::size_t place_of_row(std::size_t row) { return row * (row + 1) / 2; }
-
 }  // namespace
+
+template <class S>
+struct Equations<S>::Factor {
+  Eigen::MatrixXd lower;  ///< L, its lower triangle
+};
 
 template <class S>
 Equations<S>::Equations(const Model<S>& model) {
@@ -143,54 +146,59 @@ void Equations<S>::find_groups() {
     }
   }
   left_out_.clear();
-  for (Group& group : groups_) {
-    factorize(group);
-    for (std::size_t i = 0; i < group.rows.size(); ++i) {
-      if (group.factor[place_of_row(i) + i] == 0) left_out_.push_back(group.rows[i]);
-    }
-  }
+  for (Group& group : groups_) factorize(group);
 }
 
+/// Diagonal of the matrix, apart from h, were nothing held.
 template <class S>
-void Equations<S>::factorize(Group& group) const {
-  const std::size_t n = group.rows.size();
-  group.factor.assign(place_of_row(n), 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    double* const row = group.factor.data() + place_of_row(i);
-    for (std::size_t j = 0; j <= i; ++j) row[j] = common(group.rows[i], group.rows[j]);
-    for (std::size_t j = 0; j < i; ++j) {
-      const double* const other = group.factor.data() + place_of_row(j);
-      for (std::size_t k = 0; k < j; ++k) row[j] -= row[k] * other[k];
-      row[j] = other[j] > 0 ? row[j] / other[j] : 0.0;
-      row[i] -= row[j] * row[j];
+double Equations<S>::were_it_free(std::int32_t row) const {
+  double sum = 0;
+  for (std::int32_t p = rows_[row].first; p < rows_[row].last; ++p)
+    sum += inverse_mass_[parts_[p].at] * dot(parts_[p].coefficient, parts_[p].coefficient);
+  return sum;
+}
+
+/// Row by row, for whether one is left out follows from those before it: Eigen's own factorizations take the largest
+/// pivots first, or none of zero.
+template <class S>
+void Equations<S>::factorize(Group& group) {
+  const std::vector<std::int32_t> all = std::exchange(group.rows, {});
+  const auto most = static_cast<Eigen::Index>(all.size());
+  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(most, most);
+  Eigen::Index count = 0;
+  for (const std::int32_t row : all) {
+    Eigen::VectorXd beside(count);
+    for (Eigen::Index k = 0; k < count; ++k) beside[k] = common(row, group.rows[k]);
+    lower.topLeftCorner(count, count).template triangularView<Eigen::Lower>().solveInPlace(beside);
+    const double pivot = common(row, row) - beside.squaredNorm();
+    if (!(pivot > zero_pivot * were_it_free(row))) {
+      left_out_.push_back(row);
+      continue;
     }
-    double were_it_free = 0;
-    for (std::int32_t p = rows_[group.rows[i]].first; p < rows_[group.rows[i]].last; ++p) {
-      were_it_free += inverse_mass_[parts_[p].at] * dot(parts_[p].coefficient, parts_[p].coefficient);
-    }
-    row[i] = row[i] > zero_pivot * were_it_free ? std::sqrt(row[i]) : 0.0;
+    lower.row(count).head(count) = beside.transpose();
+    lower(count, count) = std::sqrt(pivot);
+    group.rows.push_back(row);
+    ++count;
   }
+  lower.conservativeResize(count, count);
+  group.factor = std::make_shared<const Factor>(Factor{std::move(lower)});
 }
 
 /// Impulses per node that take from these velocities what the equations do not allow.
 template <class S>
 std::vector<Point> Equations<S>::changes(const std::vector<Point>& velocity) const {
   std::vector<Point> impulse(nodes_.size(), Point{});
-  std::vector<double> x;
   for (const Group& group : groups_) {
-    const std::size_t n = group.rows.size();
-    x.assign(n, 0.0);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double* const row = group.factor.data() + place_of_row(i);
+    const auto count = static_cast<Eigen::Index>(group.rows.size());
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
       const Row& of = rows_[group.rows[i]];
       for (std::int32_t p = of.first; p < of.last; ++p) x[i] -= dot(parts_[p].coefficient, velocity[parts_[p].at]);
-      for (std::size_t k = 0; k < i; ++k) x[i] -= row[k] * x[k];
-      x[i] = row[i] > 0 ? x[i] / row[i] : 0.0;
     }
-    for (std::size_t i = n; i-- > 0;) {
-      const double* const row = group.factor.data() + place_of_row(i);
-      x[i] = row[i] > 0 ? x[i] / row[i] : 0.0;
-      for (std::size_t k = 0; k < i; ++k) x[k] -= row[k] * x[i];
+    const auto lower = group.factor->lower.template triangularView<Eigen::Lower>();
+    lower.solveInPlace(x);
+    lower.transpose().solveInPlace(x);
+    for (Eigen::Index i = 0; i < count; ++i) {
       const Row& of = rows_[group.rows[i]];
       for (std::int32_t p = of.first; p < of.last; ++p) {
         for (std::size_t k = 0; k < 3; ++k) impulse[parts_[p].at][k] += x[i] * parts_[p].coefficient[k];
@@ -272,7 +280,7 @@ std::size_t Equations<S>::bytes() const {
                     nodes_.capacity() * sizeof(nodes_[0]) + inverse_mass_.capacity() * sizeof(double) +
                     free_.capacity() * sizeof(free_[0]);
   for (const Group& group : groups_) {
-    sum += group.rows.capacity() * sizeof(group.rows[0]) + group.factor.capacity() * sizeof(double);
+    sum += group.rows.capacity() * sizeof(group.rows[0]) + group.factor->lower.size() * sizeof(double);
   }
   return sum;
 }

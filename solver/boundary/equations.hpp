@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <kernels/boundary/external_work.hpp>
@@ -61,14 +63,16 @@ class Equations {
   struct Row {
     std::int32_t first, last;  ///< in parts_
   };
-  /// Equations that have nodes in common.
+  struct Factor;
+  /// Equations that have nodes in common, but for those left out.
   struct Group {
     std::vector<std::int32_t> rows;
-    std::vector<double> factor{};  ///< lower triangle, row by row: L with its diagonal, 0 where a row is left out
+    std::shared_ptr<const Factor> factor{};
   };
   void find_groups();
   double common(std::int32_t one, std::int32_t other) const;
-  void factorize(Group& group) const;
+  double were_it_free(std::int32_t row) const;
+  void factorize(Group& group);
   bool take_masses(const Model<S>& model);
   std::vector<Point> changes(const std::vector<Point>& velocity) const;
   void require_kept(const std::vector<Point>& velocity) const;
