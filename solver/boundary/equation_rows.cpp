@@ -42,21 +42,15 @@ class LedNodes {
       for (const std::int32_t n : rigid.nodes) rigid_[n] = true;
     }
     for (const TiedNode& tied : model.tied_nodes) tied_[tied.node] = true;
-    walled_.assign(model.nodes.count, false);
-    for (const RigidWall& wall : model.scene.rigid_walls) {
-      for (const std::int32_t n : matching_nodes(model.mesh, nodes_of(wall)))
-        walled_[model.node_of_scene_node[n]] = true;
-    }
   }
 
   void require_none(std::int32_t node, const EquationTerm& term) const {
     require_free(!rigid_[node], term, "is of a rigid body");
     require_free(!tied_[node], term, "is tied to a face: give the nodes of the face");
-    require_free(!walled_[node], term, "may meet a rigid wall: give that wall its nodes, without these");
   }
 
  private:
-  std::vector<bool> rigid_, tied_, walled_;
+  std::vector<bool> rigid_, tied_;
 };
 
 std::size_t equations_of(const std::vector<TermNodes>& terms) {
@@ -79,10 +73,6 @@ std::size_t equations_of(const std::vector<TermNodes>& terms) {
 template <class S>
 std::vector<EquationRow> equation_rows(const Model<S>& model) {
   if (model.scene.equation_terms.empty()) return {};
-  if (model.scene.time.subcycling) {
-    throw InputError(model.scene.equation_terms.front().nodes.where +
-                     ": expected time.subcycling = false, with which nodes are in no equation in this version");
-  }
   std::vector<std::string> names;
   std::map<std::string, std::vector<TermNodes>> terms;
   for (const EquationTerm& term : model.scene.equation_terms) {

@@ -59,17 +59,6 @@ Equations<S>::Equations(const Model<S>& model) {
 }
 
 template <class S>
-void Equations<S>::require_apart(std::span<const std::int32_t> nodes_of_contact) const {
-  for (const std::int32_t n : nodes_of_contact) {
-    if (!std::binary_search(nodes_.begin(), nodes_.end(), n)) continue;
-    throw InputError(
-        where_.front() +
-        ": expected contact.enforcement = \"penalty\", or no contact: impulses of contact would change the "
-        "velocities of nodes that an equation has");
-  }
-}
-
-template <class S>
 bool Equations<S>::take_masses(const Model<S>& model) {
   std::vector<double> now;
   for (const std::int32_t n : nodes_) now.push_back(model.nodes.inverse_mass[n]);
@@ -275,10 +264,53 @@ void Equations<S>::add_forces(Model<S>& model, const StepLengths& step) {
 }
 
 template <class S>
+void Equations<S>::keep_forces(const Model<S>& model) {
+  kept_force_.clear();
+  for (const std::int32_t n : nodes_) {
+    const S* const f = record(model.nodes.force.data(), n);
+    kept_force_.push_back({f[0], f[1], f[2]});
+  }
+}
+
+/// What is held takes up what acts on it.
+template <class S>
+void Equations<S>::require_kept_forces(const Model<S>& model, const StepLengths& step) const {
+  const double h = step.velocity();
+  if (!(h > 0)) return;
+  std::vector<Point> change;  // of velocities
+  double fastest = 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const S *const v = record(model.nodes.velocity.data(), nodes_[i]), *const f =
+                                                                           record(model.nodes.force.data(), nodes_[i]);
+    const double share = h * inverse_mass_[i];
+    Point of_node{}, then{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      of_node[k] = share * (f[k] - kept_force_[i][k]);
+      then[k] = v[k] + share * f[k];
+    }
+    change.push_back(times(free_[i], of_node));
+    fastest = std::max({fastest, dot(then, then), dot(change.back(), change.back())});
+  }
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    double sum = 0, size = 0;
+    for (std::int32_t p = rows_[row].first; p < rows_[row].last; ++p) {
+      sum += dot(parts_[p].coefficient, change[parts_[p].at]);
+      size += std::sqrt(dot(parts_[p].coefficient, parts_[p].coefficient));
+    }
+    if (std::abs(sum) > not_kept * size * std::sqrt(fastest)) {
+      throw RunError(fmt::format(
+          "{}: contact by impulses, or a rigid wall, pushes nodes of the equation otherwise than it allows: "
+          "expected that they touch nothing, or contact.enforcement = \"penalty\" and walls without them",
+          where_[row]));
+    }
+  }
+}
+
+template <class S>
 std::size_t Equations<S>::bytes() const {
   std::size_t sum = rows_.capacity() * sizeof(Row) + parts_.capacity() * sizeof(Part) +
                     nodes_.capacity() * sizeof(nodes_[0]) + inverse_mass_.capacity() * sizeof(double) +
-                    free_.capacity() * sizeof(free_[0]);
+                    free_.capacity() * sizeof(free_[0]) + kept_force_.capacity() * sizeof(kept_force_[0]);
   for (const Group& group : groups_) {
     sum += group.rows.capacity() * sizeof(group.rows[0]) + group.factor->lower.size() * sizeof(double);
   }

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +28,10 @@ namespace pinball {
 /// takes the rest. Equations that have nothing in common are solved each by itself, others together, by a Cholesky
 /// factorization that leaves out those which follow from ones before (zero pivots).
 ///
+/// Impulses of contact and rigid walls come after them. What these do to the nodes of an equation is right as long as
+/// it fulfils the equation, too: then all velocities do, and every force is along what it keeps. Where it does not, the
+/// run ends.
+///
 /// The work of the forces is sum of l_r (sum over i of a_ri . v_i) = 0 as long as velocities fulfil the equations.
 /// Where they do not, at the start, after a host has changed them or a constraint has begun, it is that of a plastic
 /// impact, and is work from outside. Momentum is kept by equations whose coefficients add up to zero.
@@ -41,14 +44,17 @@ class Equations {
   bool any() const { return !rows_.empty(); }
   /// Of the store, ascending.
   const std::vector<std::int32_t>& nodes() const { return nodes_; }
-  /// Throws InputError where an equation has one of these.
-  void require_apart(std::span<const std::int32_t> nodes_of_contact) const;
   /// What holds or moves nodes has changed. Throws InputError for too many equations with nodes in common.
   void take_held_directions(const Model<S>& model);
   /// Largest change of velocity by which the present ones come to fulfil the equations [length/time].
   double leap(const Model<S>& model) const;
   /// To forces, when all others are there and nodes are held. Throws RunError where an equation cannot be fulfilled.
   void add_forces(Model<S>& model, const StepLengths& step);
+  /// Forces as they are are those with which the equations hold.
+  void keep_forces(const Model<S>& model);
+  /// When all forces are there. Throws RunError where what came after keep_forces() lets velocities no longer fulfil an
+  /// equation.
+  void require_kept_forces(const Model<S>& model, const StepLengths& step) const;
   double work() const { return done_ + last_.now; }  ///< done on the model up to the time of the forces [energy]
   void persist(StateArchive& archive) {
     if (any()) archive(done_, last_);
@@ -85,6 +91,7 @@ class Equations {
   std::vector<std::array<Point, 3>> free_;  ///< P, per node: rows of it
   std::vector<Group> groups_;
   std::vector<std::int32_t> left_out_;  ///< rows
+  std::vector<Point> kept_force_;       ///< per node, of keep_forces() [force]
   double done_ = 0;                     ///< work of all steps before the last
   ExternalWork last_;
 };

@@ -68,6 +68,9 @@ void for_each_node_acted_on(const Scene& scene, const ModelMesh& mesh, const Vis
   for (const PrescribedVelocity& prescribed : scene.prescribed_velocities) {
     for (const std::int32_t n : select_nodes(mesh, prescribed.nodes)) visit(n);
   }
+  for (const EquationTerm& term : scene.equation_terms) {
+    for (const std::int32_t n : select_nodes(mesh, term.nodes)) visit(n);
+  }
   for (const Pressure& pressure : scene.pressures) {
     for (const PressedFace& face : pressed_faces(mesh, scene.constraints, pressure)) {
       for (const std::int32_t n : face.corners) visit(n);

@@ -41,10 +41,10 @@ struct ElementLevels {
 /// impulses between the levels is unstable (a bar of which a sixth of the elements is eight times as fine gains energy
 /// without bound within some hundred cycles, even at 0.7 of the stable step).
 ///
-/// A node on which something else than elements may act (contact, rigid walls, loads, prescribed velocities) belongs to
-/// the smallest step too. With larger ones around it, it would be pushed by the elements in one step out of several,
-/// and back by contact in the others. So do tetrahedra and wedges, of which the volumes are averaged over nodes: all
-/// around a node have to be of one time.
+/// A node on which something else than elements may act (contact, rigid walls, loads, prescribed velocities, equations)
+/// belongs to the smallest step too. With larger ones around it, it would be pushed by the elements in one step out of
+/// several, and back by contact in the others. So do tetrahedra and wedges, of which the volumes are averaged over
+/// nodes: all around a node have to be of one time.
 ///
 /// mass_factor: of mass_factors (mass_scaling.hpp).
 ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh,

@@ -85,7 +85,6 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
     unseen_balls_ = find_unseen_balls(model_.scene, model_.mesh);
     sound_swallowing_ = sound_swallowing_of(model_.scene);
   }
-  if (equations_.any() && contact_.acts_on_velocities()) equations_.require_apart(contact()->nodes());
   require_built(model_, boundary_.any() || equations_.any());
   const SmallestStep smallest = check_against_steps(model_.scene, model_.mesh, clock_.longest_impact_step());
   smallest_step_ = smallest.step;
@@ -146,11 +145,12 @@ void Solver<S>::make_step(const Due& due) {
   share_rigid_forces();                                         //      f of rigid bodies: those of their common motion
   const ContactWork impulses = contact_after_constraints(due);  //      f += impulses of contact; the last two again
   wall_reactions(due);                                          //      f += rigid walls
-  const MotionEnergy motion = integrate(due);                   // 5-6  v += dt f/m, x += dt v, f = 0
-  reflect_at_symmetry_planes(due);                              //      what erosion has set free
-  schedule_.end_step(model_.nodes);                             //      means of velocities, with subcycling alone
-  follow_ties();                                                //      tied nodes go where their faces do
-  move_rigid_bodies();                                          //      nodes of rigid bodies go where these do
+  look_at_equations();                         //      which contact and walls have to leave as they are
+  const MotionEnergy motion = integrate(due);  // 5-6  v += dt f/m, x += dt v, f = 0
+  reflect_at_symmetry_planes(due);             //      what erosion has set free
+  schedule_.end_step(model_.nodes);            //      means of velocities, with subcycling alone
+  follow_ties();                               //      tied nodes go where their faces do
+  move_rigid_bodies();                         //      nodes of rigid bodies go where these do
   keep_accounts(due, element, ties + springs + impulses, motion);  //      energies, counts, guards
   clock_.advance(due);
 }
@@ -249,6 +249,24 @@ void Solver<S>::add_equation_forces(const Due& due) {
     equations_.add_forces(model_, clock_.lengths());
     space_->take(NodeNumbers::force);
     hold(due);
+    if (!may_break_equations()) return;
+    space_->show(NodeNumbers::force);
+    equations_.keep_forces(model_);
+  });
+}
+
+/// What acts on nodes behind their equations.
+template <class S>
+bool Solver<S>::may_break_equations() const {
+  return equations_.any() && (contact_.acts_on_velocities() || !model_.scene.rigid_walls.empty());
+}
+
+template <class S>
+void Solver<S>::look_at_equations() {
+  if (!may_break_equations()) return;
+  timers_.measure(Phase::boundary_conditions, [&] {
+    space_->show(NodeNumbers::force);
+    equations_.require_kept_forces(model_, clock_.lengths());
   });
 }
 

@@ -200,6 +200,8 @@ class Solver {
   double leap(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
   Point watched_way_ahead(std::int32_t node) const;
   void add_equation_forces(const Due& due);
+  bool may_break_equations() const;
+  void look_at_equations();
   void share_rigid_forces();
   ContactWork contact_after_constraints(const Due& due);
   void wall_reactions(const Due& due);
