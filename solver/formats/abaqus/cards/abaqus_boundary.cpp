@@ -9,6 +9,7 @@
 #include <solver/base/error.hpp>
 
 #include "abaqus_parts.hpp"
+#include "abaqus_transform.hpp"
 
 namespace pinball {
 
@@ -72,11 +73,13 @@ struct BoundaryLine {
   AbaqusCurve curve;
   double start = 0;
   std::optional<double> end{};
+  const AbaqusTransform* transform = nullptr;  ///< of its directions; null: those of the scene
 };
 
 class Boundary {
  public:
-  Boundary(AbaqusData& data, DeckScene& scene) : data_(data), scene_(scene) {}
+  Boundary(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene)
+      : data_(data), transforms_(transforms), scene_(scene) {}
 
   void translate() {
     for (int step = 0; step <= std::ssize(data_.steps); ++step) read_step(step);
@@ -138,6 +141,10 @@ class Boundary {
     if (!rigid && nodes.set.empty() && !data_.used[nodes.members[0]])
       return data_.report.ignore_node(card.place, "*BOUNDARY");
     BoundaryLine line{&block, card.place, nodes, held, false, {}, block.step > 0 ? data_.step_of(block).start : 0.0};
+    line.transform = transforms_.of(nodes, block, card.place);
+    if (rigid && line.transform != nullptr)
+      return data_.report.reject(card.place, "*BOUNDARY of a reference node with a *TRANSFORM",
+                                 "hold and move it along the axes of the scene");
     if (block.step > 0) line.curve = data_.curve(block);
     line.moves = held.magnitude != 0 || line.curve.absolute || block.option("TYPE") == "ACCELERATION";
     if (!line.moves || may_move(line)) lines_.push_back(line);
@@ -190,7 +197,8 @@ class Boundary {
       write_motion(line);
     } else if (line.nodes.set.empty()) {
       Singles& singles =
-          singles_.try_emplace({line.held.directions, line.start, line.end}, Singles{&line, {}}).first->second;
+          singles_.try_emplace({line.held.directions, line.start, line.end, line.transform}, Singles{&line, {}})
+              .first->second;
       for (const std::int64_t number : numbers_of(line)) singles.numbers.push_back(number);
     } else {
       begin_fixed(line).set("set", line.nodes.set);
@@ -246,7 +254,7 @@ class Boundary {
   DeckKeys<FixedConstraint> begin_fixed(const BoundaryLine& line) {
     auto keys = scene_.entry<FixedConstraint>("constraint", card_of(*line.block, line.place));
     keys.set("type", "fixed");
-    keys.set("directions", direction_names(line.held.directions));
+    set_directions(line.held.directions, line.transform, keys);
     set_times(line, keys);
     return keys;
   }
@@ -254,8 +262,7 @@ class Boundary {
   void write_motion(const BoundaryLine& line) {
     for (unsigned k = 0; k < 3; ++k) {
       if ((line.held.directions >> k & 1U) == 0) continue;
-      Point direction{};
-      direction[k] = 1;
+      const Point direction = transforms_.direction(line.transform, k, *line.block, line.place);
       const auto keys = scene_.entry<PrescribedVelocity>("prescribed_velocity", card_of(*line.block, line.place));
       keys.set("direction", direction);
       keys.set("speed", line.curve.times.empty() ? line.held.magnitude : 1.0);
@@ -276,13 +283,16 @@ class Boundary {
   }
 
   AbaqusData& data_;
+  const AbaqusTransforms& transforms_;
   DeckScene& scene_;
   std::vector<BoundaryLine> lines_;
-  std::map<std::tuple<unsigned, double, std::optional<double>>, Singles> singles_;
+  std::map<std::tuple<unsigned, double, std::optional<double>, const AbaqusTransform*>, Singles> singles_;
 };
 
 }  // namespace
 
-void translate_abaqus_boundary(AbaqusData& data, DeckScene& scene) { Boundary(data, scene).translate(); }
+void translate_abaqus_boundary(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene) {
+  Boundary(data, transforms, scene).translate();
+}
 
 }  // namespace pinball

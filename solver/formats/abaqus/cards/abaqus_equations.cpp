@@ -6,6 +6,7 @@
 #include <solver/base/error.hpp>
 
 #include "abaqus_parts.hpp"
+#include "abaqus_transform.hpp"
 
 namespace pinball {
 
@@ -44,8 +45,8 @@ std::vector<std::int64_t> numbers_of_solids(AbaqusData& data, const AbaqusBlock&
 /// factor.
 class EquationCards {
  public:
-  EquationCards(AbaqusData& data, const AbaqusBlock& block, DeckScene& scene)
-      : data_(data), block_(block), scene_(scene) {}
+  EquationCards(AbaqusData& data, const AbaqusTransforms& transforms, const AbaqusBlock& block, DeckScene& scene)
+      : data_(data), transforms_(transforms), block_(block), scene_(scene) {}
 
   void translate(int& count) {
     DataLines lines(block_);
@@ -82,8 +83,8 @@ class EquationCards {
     const std::vector<std::int64_t> numbers = numbers_of_solids(data_, block_, label, f.place());
     if (numbers.empty()) return;
     if (factor == 0) fail_at(f.place(), "*EQUATION: expected a coefficient that is not 0, got 0");
-    Point direction{};
-    direction[degree - 1] = 1;
+    const AbaqusTransform* const transform = transforms_.of(data_.nodes(label, f.place()), block_, f.place());
+    const Point direction = transforms_.direction(transform, degree - 1, block_, f.place());
     const auto keys = scene_.entry<EquationTerm>("equation", card_of(block_, f.place()));
     keys.set("name", name_);
     keys.set("direction", direction);
@@ -92,6 +93,7 @@ class EquationCards {
   }
 
   AbaqusData& data_;
+  const AbaqusTransforms& transforms_;
   const AbaqusBlock& block_;
   DeckScene& scene_;
   std::string name_;
@@ -101,7 +103,8 @@ class EquationCards {
 /// *MPC: lines of a kind and nodes or sets, of which the first follow the others.
 class MpcCards {
  public:
-  MpcCards(AbaqusData& data, const AbaqusBlock& block, DeckScene& scene) : data_(data), block_(block), scene_(scene) {}
+  MpcCards(AbaqusData& data, const AbaqusTransforms& transforms, const AbaqusBlock& block, DeckScene& scene)
+      : data_(data), transforms_(transforms), block_(block), scene_(scene) {}
 
   void translate(int& count) {
     DataLines lines(block_);
@@ -118,6 +121,10 @@ class MpcCards {
       for (std::size_t i = 1; i <= (is_pair ? 2U : 3U); ++i)
         numbers_.push_back(numbers_of_solids(data_, block_, f.text(i), f.place()));
       if (std::ranges::any_of(numbers_, [](const auto& of_label) { return of_label.empty(); })) continue;
+      for (std::size_t i = 1; i <= numbers_.size(); ++i) {
+        if (transforms_.of(data_.nodes(f.text(i), f.place()), block_, f.place()) != nullptr)
+          data_.report.reject(f.place(), "*MPC of nodes with a *TRANSFORM", "give *EQUATION");
+      }
       write(f, is_pair ? std::vector<double>{1, -1} : shares_of_line(f), count);
     }
   }
@@ -155,6 +162,7 @@ class MpcCards {
   }
 
   AbaqusData& data_;
+  const AbaqusTransforms& transforms_;
   const AbaqusBlock& block_;
   DeckScene& scene_;
   std::vector<std::vector<std::int64_t>> numbers_;  ///< of the nodes of each label of a line
@@ -162,7 +170,7 @@ class MpcCards {
 
 }  // namespace
 
-void translate_abaqus_equations(AbaqusData& data, DeckScene& scene) {
+void translate_abaqus_equations(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene) {
   int equations = 0, mpcs = 0;
   for (const AbaqusBlock& block : data.deck.blocks) {
     const bool is_equation = block.name == "EQUATION";
@@ -170,9 +178,9 @@ void translate_abaqus_equations(AbaqusData& data, DeckScene& scene) {
     if (!block.part.empty() || !block.instance.empty()) {
       data.report.reject(block.place, block.star_name() + " in a part or an instance", "move it into *ASSEMBLY");
     } else if (is_equation) {
-      EquationCards(data, block, scene).translate(equations);
+      EquationCards(data, transforms, block, scene).translate(equations);
     } else {
-      MpcCards(data, block, scene).translate(mpcs);
+      MpcCards(data, transforms, block, scene).translate(mpcs);
     }
   }
 }

@@ -15,6 +15,7 @@
 #include <solver/mesh/file/split_ten_nodes.hpp>
 
 #include "abaqus_parts.hpp"
+#include "abaqus_transform.hpp"
 
 namespace pinball {
 
@@ -108,7 +109,8 @@ std::vector<std::pair<std::int32_t, Corners8>> whole_elements(const MeshFile& fi
 /// Loads of all steps: a line of a card each, from its step on, until a later one says otherwise of what it acts on.
 class Loads {
  public:
-  Loads(AbaqusData& data, DeckScene& scene) : data_(data), scene_(scene) {}
+  Loads(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene)
+      : data_(data), transforms_(transforms), scene_(scene) {}
 
   void translate() {
     for (int step = 0; step <= std::ssize(data_.steps); ++step) read_step(step);
@@ -219,10 +221,13 @@ class Loads {
       things.push_back(fmt::format("that of node {} along {}", data_.mesh.file.node_ids[node], "xyz"[degree - 1]));
       repeated.add(things.back());
     }
-    add(block, f, std::move(things), [this, nodes, degree](const Line& line) { write_force(line, nodes, degree); });
+    const AbaqusTransform* const transform = transforms_.of(nodes, block, card.place);
+    const Point direction = transforms_.direction(transform, degree - 1, block, card.place);
+    add(block, f, std::move(things),
+        [this, nodes, direction](const Line& line) { write_force(line, nodes, direction); });
   }
 
-  void write_force(const Line& line, const AbaqusNodes& nodes, std::int64_t degree) {
+  void write_force(const Line& line, const AbaqusNodes& nodes, const Point& direction) {
     AbaqusNodes some = nodes;
     if (line.members.size() != line.things.size()) {
       some.set.clear();
@@ -235,8 +240,8 @@ class Loads {
                          });
     if (is_part && numbers.empty()) return;
     const AbaqusCurve curve = curve_of(line);
-    Point force{};
-    force[degree - 1] = curve.times.empty() ? line.magnitude : 1.0;
+    Point force = direction;
+    for (double& component : force) component *= curve.times.empty() ? line.magnitude : 1.0;
     const auto keys = scene_.entry<NodalLoad>("load", card_of(*line.block, line.place));
     keys.set("force", force);
     keys.set("each", true);
@@ -328,12 +333,15 @@ class Loads {
   }
 
   AbaqusData& data_;
+  const AbaqusTransforms& transforms_;
   DeckScene& scene_;
   std::vector<Line> lines_;
 };
 
 }  // namespace
 
-void translate_abaqus_loads(AbaqusData& data, DeckScene& scene) { Loads(data, scene).translate(); }
+void translate_abaqus_loads(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene) {
+  Loads(data, transforms, scene).translate();
+}
 
 }  // namespace pinball

@@ -12,6 +12,8 @@
 /// is wrong is an InputError "FILE:LINE: ...".
 namespace pinball {
 
+class AbaqusTransforms;
+
 /// SECTION CONTROLS, BULK VISCOSITY and types of elements: what each body has.
 std::vector<DeckElement> abaqus_elements(AbaqusData& data);
 
@@ -49,12 +51,12 @@ DeckKeys<RigidWall> begin_wall(AbaqusData& data, AbaqusWall& wall, DeckScene& sc
 void tell_unused_walls(AbaqusData& data);
 
 /// BOUNDARY: [[constraint]] and [[prescribed_velocity]], of reference nodes [[rigid_motion]].
-void translate_abaqus_boundary(AbaqusData& data, DeckScene& scene);
+void translate_abaqus_boundary(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene);
 /// EQUATION and MPC: [[equation]], a term each.
-void translate_abaqus_equations(AbaqusData& data, DeckScene& scene);
+void translate_abaqus_equations(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene);
 void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene);
 /// CLOAD, DLOAD: [[load]], [[gravity]].
-void translate_abaqus_loads(AbaqusData& data, DeckScene& scene);
+void translate_abaqus_loads(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene);
 /// CONTACT and its options: [contact]. Returns whether anything says what touches.
 bool translate_abaqus_contact(AbaqusData& data, DeckScene& scene);
 

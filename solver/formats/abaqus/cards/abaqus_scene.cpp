@@ -10,6 +10,7 @@
 
 #include "abaqus_parts.hpp"
 #include "abaqus_rules.hpp"
+#include "abaqus_transform.hpp"
 #include "abaqus_unread.hpp"
 
 namespace pinball {
@@ -114,10 +115,11 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   const bool contact_said = translate_abaqus_contact(data, scene);
   translate_abaqus_materials(data, scene);
   translate_abaqus_bodies(data, options.mesh_file(path), bodies);
-  translate_abaqus_boundary(data, boundary);
-  translate_abaqus_equations(data, boundary);
+  const AbaqusTransforms transforms(data);
+  translate_abaqus_boundary(data, transforms, boundary);
+  translate_abaqus_equations(data, transforms, boundary);
   translate_abaqus_initial_velocities(data, boundary);
-  translate_abaqus_loads(data, boundary);
+  translate_abaqus_loads(data, transforms, boundary);
   data.point_masses.write(mesh.file.node_ids, "mass", "ELSET", boundary);
   translate_abaqus_rigid_bodies(data, bodies);
   translate_abaqus_probes(data, boundary);
