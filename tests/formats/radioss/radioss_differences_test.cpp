@@ -185,6 +185,17 @@ TEST_F(RadiossDifferences, OgdensEnergyIsMooneysAndRivlinsWhereItIs) {
   EXPECT_THAT(error(rubber(twenty({3, 4}), twenty({2, -2}))), HasSubstr("Mu_1"));
 }
 
+/// As a number beyond all strains it is none.
+TEST_F(RadiossDifferences, AStrainBeyondWhichNothingIsShearedIsRefused) {
+  const auto steel = [](double limit) {
+    return radioss_begin + "/MAT/LAW2/1\nsteel\n" + twenty({7.85e-9}) + twenty({210000, 0.3}) +
+           twenty({400, 500, 1, limit}) + "\n\n" + radioss_property + radioss_cube;
+  };
+  EXPECT_THAT(error(steel(0.2)), HasSubstr("/MAT/LAW2/1 with EPS_p_max"));
+  EXPECT_EQ(error(steel(1e30)), no_error);
+  EXPECT_EQ(scene(steel(1e30)).materials.at(0).yield_stress, 400);
+}
+
 /// W = sum of 2 mu/alpha^2 (...): the moduli of powers are 2 mu/alpha, and their shear modulus the sum of mu.
 TEST_F(RadiossDifferences, ViscHypWithoutViscosityIsOfWholeStretches) {
   const auto rubber = [](const std::string& orders, const std::string& lines) {

@@ -51,6 +51,12 @@ struct RadiossHeat {
   bool softens() const { return is_limit(melting); }
 };
 
+/// A strain beyond which solids of Radioss go on without shear stress.
+void reject_without_shear(RadiossData& data, const RadiossFields& f, const RadiossBlock& block, const char* name) {
+  if (is_limit(f.number(name)))
+    data.report.reject(f.place(), fmt::format("{} with {}", block.title, name), std::string(radioss::no_deletion));
+}
+
 void tell_without(RadiossData& data, const RadiossFields& f, const RadiossBlock& block, const char* name,
                   const char* why) {
   if (!f.blank(name) && f.number(name) != 0)
@@ -139,6 +145,7 @@ void set_plas_johns(RadiossData& data, const RadiossBlock& block, RadiossLines& 
   const RadiossFields e(l1, block, radioss::johnson_elasticity), h(l2, block, radioss::johnson_hardening),
       r(l3, block, radioss::johnson_rate), t(l4, block, radioss::johnson_heat);
   set_elasticity(e, keys);
+  reject_without_shear(data, h, block, "EPS_p_max");
   JohnsonCook law{RadiossHardening(h.number("a"), h.number("b"), h.number("n"), h.number("SIG_max0")),
                   r.number("c"),
                   r.number("EPS_DOT_0"),
@@ -179,6 +186,7 @@ void set_hydrodynamic(RadiossData& data, const RadiossBlock& block, RadiossLines
   const bool plain = block.name == "MAT/HYDPLA";
   const RadiossFields e(l1, block, radioss::elasticity), h(l2, block, radioss::hydro_hardening),
       p(l3, block, radioss::hydro_cutoff), r(l4, block, radioss::hydro_rate), t(l5, block, radioss::hydro_heat);
+  reject_without_shear(data, h, block, "eps_max");
   JohnsonCook law{RadiossHardening(h.number("A"), h.number("B"), h.number("n"), h.number("sig_max")), 0, 0, {}};
   if (!plain) {
     law.coefficient = r.number("C");

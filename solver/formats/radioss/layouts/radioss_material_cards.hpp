@@ -20,7 +20,7 @@ inline constexpr CardLayout johnson_elasticity{real("E").always(), real("nu").al
                                                real("Pmin").rejected("leave it 0, or give /MAT/HYD_JCOOK")};
 /// With Iflag 1 the first three are SIG_Y, UTS and EUTS.
 inline constexpr CardLayout johnson_hardening{real("a").always(), real("b"), real("n", 1),
-                                              real("EPS_p_max").rejected(no_deletion), real("SIG_max0").at_least(0)};
+                                              real("EPS_p_max").at_least(0), real("SIG_max0").at_least(0)};
 inline constexpr CardLayout johnson_rate{real("c"),
                                          real("EPS_DOT_0"),
                                          whole("ICC", 1).from(0, 2),
@@ -31,7 +31,7 @@ inline constexpr CardLayout johnson_heat{real("m", 1), real("T_melt").at_least(0
                                          real("T_max").rejected("leave it 0: there is no other exponent above it")};
 
 inline constexpr CardLayout hydro_hardening{real("A").always(), real("B"), real("n", 1),
-                                            real("eps_max").rejected(no_deletion), real("sig_max").at_least(0)};
+                                            real("eps_max").at_least(0), real("sig_max").at_least(0)};
 inline constexpr CardLayout hydro_cutoff{real("Pmin").from(-1e30, 0)};
 inline constexpr CardLayout hydro_rate{real("C"), real("EPS_DOT_0"), real("M", 1), real("Tmelt").at_least(0),
                                        real("Tmax").rejected("leave it 0: there is no other exponent above it")};
