@@ -90,6 +90,20 @@ inline std::string nodes_of_edges() {
   return lines;
 }
 
+/// The nodes of both cubes, and a plate of a shell above them, at rest, but for what is named.
+inline std::string held_plate(const std::string& without) {
+  const std::vector<std::string> all{"/SHELL/3\n" + ten({"30", "21", "22", "23", "24"}),
+                                     "/PROP/SHELL/3\nplate\n\n\n" + fmt::format("{:>40}\n", 0.2)};
+  std::string text = "/NODE\n" + square_nodes(1, 0) + square_nodes(5, 1) + square_nodes(9, 1.5) +
+                     square_nodes(13, 2.5) + ten({"99"}) + square_nodes(21, 4) + "/PART/3\nplate\n" +
+                     ten({"3", "1", "0"}) + "/GRNOD/PART/9\nplate\n" + ten({"3"}) +
+                     "/BCS/9\nb\n   111 111         0         9\n";
+  for (const std::string& block : all) {
+    if (!block.starts_with(without)) text += block;
+  }
+  return text;
+}
+
 /// A group by its members, in the place of the one of this header that is there, used or not.
 inline RadiossCardDeck group(const std::string& keyword, const std::string& members, int number = 15) {
   return {keyword, "/" + keyword + "/" + std::to_string(number), {members}};
@@ -115,6 +129,9 @@ inline std::vector<RadiossCardDeck> radioss_card_decks() {
        {"3,1,2,3,4,5,6,7,8", "31,32,33,34,35,36,37,38", "39,40,41,42"},
        nodes_of_edges(),
        {"bric_ID"}},
+      {"SHELL", "/SHELL/3", {"30,21,22,23,24"}, held_plate("/SHELL")},
+      {"SH3N", "/SH3N/3", {"30,21,22,23"}, held_plate("/SHELL")},
+      {"PROP/SHELL", "/PROP/SHELL/3", {"", "", "0,0,0.2"}, held_plate("/PROP")},
       {"PART", "/PART/2", {"1,1,3"}, "/GRNOD/SUBSET/7\ns\n" + ten({"3"})},
       {"SUBSET",
        "/SUBSET/3",
@@ -248,8 +265,9 @@ inline std::vector<RadiossCardDeck> radioss_card_decks() {
       {"ANIM/DT", "/ANIM/DT", {"0,1.0E-7"}, "", {}, true}};
   for (const char* keyword : {"IMPVEL", "IMPDISP", "IMPACC"})
     decks.push_back({keyword, std::string("/") + keyword + "/1", {"5,X,0,0,5", ""}});
-  for (const char* keyword : {"GRNOD/NODE", "GRNOD/PART", "GRNOD/MAT", "GRNOD/PROP", "GRBRIC/BRIC", "GRBRIC/PART",
-                              "GRBRIC/MAT", "GRBRIC/PROP", "SURF/PART/EXT", "SURF/MAT/EXT", "SURF/PROP/EXT"})
+  for (const char* keyword :
+       {"GRNOD/NODE", "GRNOD/PART", "GRNOD/MAT", "GRNOD/PROP", "GRBRIC/BRIC", "GRBRIC/PART", "GRBRIC/MAT",
+        "GRBRIC/PROP", "SURF/PART/EXT", "SURF/PART/ALL", "SURF/MAT/EXT", "SURF/PROP/EXT"})
     decks.push_back(group(keyword, "1"));
   for (const char* keyword : {"GRNOD/SUBSET", "GRBRIC/SUBSET", "SURF/SUBSET/EXT"}) decks.push_back(group(keyword, "3"));
   for (const char* keyword : {"GRNOD/GRNOD", "GRNOD/GRBRIC", "GRNOD/SURF", "GRNOD/BOX", "GRBRIC/GRBRIC", "GRBRIC/BOX",

@@ -72,7 +72,7 @@ TEST_F(RadiossTest, FormsBefore51AreRefused) {
 
 TEST_F(RadiossTest, WhatIsNotDoneIsRefusedAtOnce) {
   const std::string message = error(cube_with("/SHELL/2\n/SPRING/3\n/SPRING/4\n/INTER/TYPE20/1\nx\n/NOTHING/7\n"));
-  EXPECT_THAT(message, HasSubstr("/SHELL (cube_0000.rad:"));
+  EXPECT_THAT(message, HasSubstr("/SHELL of a part that deforms (cube_0000.rad:"));
   EXPECT_THAT(message, HasSubstr("/SPRING (2 times, first in cube_0000.rad:"));
   EXPECT_THAT(message, HasSubstr("/INTER/TYPE20 (cube_0000.rad:"));
   EXPECT_THAT(message, HasSubstr("/NOTHING/7 (cube_0000.rad:"));

@@ -48,10 +48,21 @@ bool has_rest(RadiossData& data, const MeshSet& group, bool had_main, const Radi
   return false;
 }
 
+/// Nodes of solids in a group beside those of shells that are held as a whole: their numbers.
+std::vector<std::int64_t> beside_held_shells(const RadiossData& data, const MeshSet& group) {
+  std::vector<std::int64_t> numbers;
+  for (const std::int32_t node : group.members) {
+    const std::int32_t rigid = data.rigid_of_node[node];
+    if (data.used[node] && (rigid < 0 || !data.rigid[rigid].is_held)) numbers.push_back(data.mesh.node_ids[node]);
+  }
+  return numbers;
+}
+
 /// Single nodes of rigid bodies cannot be held or moved by themselves.
 bool has_rigid_nodes(RadiossData& data, const MeshSet& group, const RadiossBlock& block, const DeckPlace& place) {
   for (const std::int32_t node : group.members) {
-    if (data.rigid_of_node[node] < 0) continue;
+    const std::int32_t rigid = data.rigid_of_node[node];
+    if (rigid < 0 || (block.name == "BCS" && data.rigid[rigid].is_held)) continue;
     data.report.reject(place, fmt::format("{} of nodes of an /RBODY", '/' + block.name), "give its main node");
     return true;
   }
@@ -78,7 +89,11 @@ void translate_held(RadiossData& data, const RadiossBlock& block, DeckScene& sce
       if (bits != 0) data.report.unused(line->place, block.title + ": Trarot", "nodes of solids have no rotations");
       continue;
     }
-    if (has_rigid_nodes(data, group, block, line->place)) continue;
+    const bool has_shells = std::ranges::any_of(group.members, [&](std::int32_t node) {
+      return data.rigid_of_node[node] >= 0 && data.rigid[data.rigid_of_node[node]].is_held;
+    });
+    const std::vector<std::int64_t> others = has_shells ? beside_held_shells(data, group) : std::vector<std::int64_t>{};
+    if ((has_shells && others.empty()) || has_rigid_nodes(data, group, block, line->place)) continue;
     const auto keys = scene.entry<FixedConstraint>("constraint", card_of(block, line->place));
     keys.set("type", "fixed");
     if (skew == 0) {
@@ -91,7 +106,11 @@ void translate_held(RadiossData& data, const RadiossBlock& block, DeckScene& sce
       }
       keys.set("directions", directions, "Trarot, skew_ID");
     }
-    keys.set("set", std::to_string(id), "grnod_ID");
+    if (has_shells) {
+      keys.set("nodes", others, "grnod_ID");
+    } else {
+      keys.set("set", std::to_string(id), "grnod_ID");
+    }
   }
 }
 

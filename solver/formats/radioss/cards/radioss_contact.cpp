@@ -69,11 +69,19 @@ class WholeSurfaces {
     const auto neighbours = face_neighbours(data_.mesh.mesh.hexahedra);
     for (std::size_t e = 0; e < neighbours.size(); ++e) {
       for (std::size_t f = 0; f < 6; ++f) {
-        if (neighbours[e][f] != -1) continue;
-        of_face_[face_key(face_of(data_.mesh.mesh.hexahedra[e], f))] = data_.mesh.part[e];
+        const auto& n = data_.mesh.mesh.hexahedra[e];
+        const Face face = face_of(n, f);
+        if (neighbours[e][f] != -1 || (is_layer(e) && !is_of_shell(n, face))) continue;
+        of_face_[face_key(face)] = data_.mesh.part[e];
         ++faces_[data_.mesh.part[e]];
       }
     }
+  }
+
+  /// Surfaces of shells have the faces of their layers that are not on edges.
+  bool is_layer(std::size_t e) const { return data_.mesh.parts[data_.mesh.part[e]].shells > 0; }
+  static bool is_of_shell(const std::array<std::int32_t, 8>& n, const Face& face) {
+    return face_key(face) == face_key({n[0], n[3], n[2], n[1]}) || face_key(face) == face_key({n[4], n[5], n[6], n[7]});
   }
 
   const RadiossData& data_;

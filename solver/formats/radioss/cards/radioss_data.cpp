@@ -136,14 +136,15 @@ void RadiossData::name_bodies() {
       throw InputError(fmt::format("{}: solid {} is of part {}, which no /PART defines", place_of_element(mesh, first),
                                    mesh.element_ids[first], mesh.parts[p].id));
     }
-    bodies.push_back({plain_name(found->second.title), found->second, solids[p]});
+    bodies.push_back({plain_name(found->second.title), found->second, solids[p], mesh.parts[p].shells > 0});
   }
   std::ranges::sort(bodies, {}, [](const RadiossBody& body) { return body.part.id; });
   NamesOnce names;
   for (RadiossBody& body : bodies) {
     body.name = names.take(body.name, fmt::format("part_{}", body.part.id));
-    report.understood(fmt::format("part {}: body {} of {} solids, material mat_{}", body.part.id, body.name,
-                                  body.solids, body.part.material));
+    report.understood(fmt::format("part {}: body {} of {} solids{}, material mat_{}", body.part.id, body.name,
+                                  body.solids, body.is_of_shells ? ", layers in the place of shells" : "",
+                                  body.part.material));
   }
 }
 

@@ -27,6 +27,7 @@ struct RadiossBody {
   std::string name;  ///< in the scene
   RadiossPart part;
   int solids = 0;
+  bool is_of_shells = false;  ///< a layer in the place of shells that do not deform
 };
 
 /// Mass, centre and inertia about it, rows.
@@ -36,7 +37,8 @@ struct RadiossInertia {
   std::array<Point, 3> about{};
 };
 
-/// An /RBODY: bodies all of whose nodes are in its group, and single nodes of others; or a part of /MAT/RIGID.
+/// An /RBODY: bodies all of whose nodes are in its group, and single nodes of others; or a part of /MAT/RIGID, or of
+/// shells that a /BCS holds.
 struct RadiossRigidBody {
   const RadiossBlock* block = nullptr;
   DeckCard card{};
@@ -45,6 +47,7 @@ struct RadiossRigidBody {
   std::int64_t group = 0;             ///< number of the group of its nodes
   std::vector<std::string> bodies{};  ///< those that are rigid as a whole
   bool attaches = false;              ///< whether the group has nodes of bodies that deform
+  bool is_held = false;               ///< of shells that a /BCS holds
   unsigned held = 0;                  ///< bits of x, y, z, and behind these of rotations about them
   std::optional<Point> velocity{};    ///< of its centre, at the start
   std::optional<Point> angular_velocity{};

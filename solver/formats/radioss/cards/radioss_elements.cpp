@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include <solver/formats/radioss/layouts/radioss_material_cards.hpp>
@@ -90,7 +91,7 @@ std::vector<DeckElement> radioss_elements(RadiossData& data) {
     } else if (block.name == "PROP/SOLID") {
       of_property[block.id()] = element_of(data, block, solids, otherwise);
     } else {
-      of_property[block.id()] = {};  // which is refused elsewhere
+      of_property[block.id()] = {};  // of shells that do not deform, or refused elsewhere
     }
   }
   std::vector<DeckElement> elements;
@@ -99,6 +100,12 @@ std::vector<DeckElement> radioss_elements(RadiossData& data) {
     if (found == of_property.end())
       fail_at(body.part.place, fmt::format("no /PROP has the number {}", body.part.property));
     elements.push_back(found->second);
+  }
+  // What does not deform has no other elements than the rest.
+  const auto deforms = std::ranges::find(data.bodies, false, &RadiossBody::is_of_shells);
+  if (deforms == data.bodies.end()) return elements;
+  for (std::size_t b = 0; b < elements.size(); ++b) {
+    if (data.bodies[b].is_of_shells) elements[b] = elements[deforms - data.bodies.begin()];
   }
   return elements;
 }

@@ -66,14 +66,16 @@ void take_nodes(RadiossData& data, const RadiossRigidBody& rigid, const std::vec
   }
 }
 
-/// A part whose material is /MAT/RIGID, unless it is of an /RBODY as a whole.
-void find_rigid_part(RadiossData& data, const RadiossBody& body, const RadiossBlock& material) {
+/// A part whose material is /MAT/RIGID, or one of shells that a /BCS holds, unless it is of an /RBODY as a whole.
+void find_rigid_part(RadiossData& data, const RadiossBody& body, const RadiossBlock& from, bool is_held) {
   for (const RadiossRigidBody& other : data.rigid) {
     if (std::ranges::find(other.bodies, body.name) != other.bodies.end()) return;
   }
   const std::ptrdiff_t part = data.part_of(body);
   RadiossRigidBody rigid;
-  rigid.block = &material;
+  rigid.block = &from;
+  rigid.is_held = is_held;
+  if (is_held) rigid.held = 63;
   rigid.card = {fmt::format("/PART/{}", body.part.id), body.part.place};
   rigid.name = body.name;
   rigid.bodies = {body.name};
@@ -84,6 +86,16 @@ void find_rigid_part(RadiossData& data, const RadiossBody& body, const RadiossBl
   }
   take_nodes(data, rigid, {members.begin(), members.end()});
   data.rigid.push_back(std::move(rigid));
+}
+
+void find_held_shells(RadiossData& data, const RadiossBody& body, const RadiossBlock& block) {
+  RadiossLines lines(block);
+  while (const auto line = lines.next_filled()) {
+    const RadiossFields f(*line, block, radioss::held);
+    const auto group = std::ranges::find(data.mesh.node_sets, f.integer("grnod_ID"), &MeshSet::id);
+    if (group == data.mesh.node_sets.end() || line->text.size() < 6 || line->text.substr(3, 3) != "111") continue;
+    if (data.whole_parts(data.nodes_in(*group))[data.part_of(body)]) find_rigid_part(data, body, block, true);
+  }
 }
 
 void read_rigid_body(RadiossData& data, const RadiossBlock& block) {
@@ -121,7 +133,12 @@ void find_radioss_rigid_bodies(RadiossData& data) {
   }
   for (const RadiossBody& body : data.bodies) {
     for (const RadiossBlock* material : data.blocks_of("MAT/RIGID")) {
-      if (material->id() == body.part.material) find_rigid_part(data, body, *material);
+      if (material->id() == body.part.material) find_rigid_part(data, body, *material, false);
+    }
+  }
+  for (const RadiossBody& body : data.bodies) {
+    for (const RadiossBlock* block : data.blocks_of("BCS")) {
+      if (body.is_of_shells && !block->engine) find_held_shells(data, body, *block);
     }
   }
 }

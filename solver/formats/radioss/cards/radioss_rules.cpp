@@ -22,6 +22,7 @@ const std::vector<RadiossRule>& radioss_rules() {
        "TYPE14: Isolid 1 and 2 viscous with h/4; 24 and, in the place of full integration, 12, 14, 16, 17, 18 as "
        "assumed "
        "strains; qa, qb"},
+      {"PROP/SHELL", done, "TYPE1: Thick, of shells that do not deform"},
       {"PROP/KJOINT2", done,
        "TYPE45, spherical (Type 1) or fixed (8), of a SPRING between two RBODY, exact; resistance that counts is "
        "refused"},
@@ -79,6 +80,7 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"SURF/SEG", mesh, ""},
       {"SURF/SURF", mesh, ""},
       {"SURF/PART/EXT", mesh, "faces on the surface of the mesh"},
+      {"SURF/PART/ALL", mesh, "the same: faces between solids come to it where these erode"},
       {"SURF/SUBSET/EXT", mesh, "the same"},
       {"SURF/MAT/EXT", mesh, "the same"},
       {"SURF/PROP/EXT", mesh, "the same"},
@@ -146,8 +148,11 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"DEF_SHELL", ignored, "there are no shells"},
       {"SHFRA/V4", ignored, "the same"},
       {"PROP/VOID", rejected, "elements without stiffness"},
-      {"SHELL", rejected, "shells: solids, one or more through the thickness, in their place"},
-      {"SH3N", rejected, "the same"},
+      {"SHELL", mesh,
+       "of parts of a MAT/RIGID, of an RBODY as a whole, or held along all axes by a BCS: a layer of solids; others "
+       "are "
+       "refused"},
+      {"SH3N", mesh, "the same"},
       {"SHEL16", rejected, "thick shells: BRICK in their place"},
       {"QUAD", rejected, "plane and axisymmetric elements"},
       {"TRIA", rejected, "the same"},

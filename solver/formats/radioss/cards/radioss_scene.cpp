@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
 #include <solver/base/error.hpp>
 #include <solver/formats/radioss/mesh/radioss_mesh.hpp>
+#include <solver/formats/radioss/mesh/radioss_shells.hpp>
 #include <solver/mesh/file/input_file.hpp>
 
 #include "radioss_keys.hpp"
@@ -34,6 +36,17 @@ void reject_of_parts(const RadiossData& data) {
   }
 }
 
+/// Of parts that have become no layers.
+void reject_shells_that_deform(const RadiossDeck& deck, const MeshFile& mesh, DeckReport& report) {
+  for (const RadiossBlock& block : deck.blocks) {
+    if (!is_of_shells(block)) continue;
+    const auto part = std::ranges::find(mesh.parts, block.id(), &MeshPart::id);
+    if (part == mesh.parts.end() || part->shells == 0)
+      report.reject(block.place, '/' + block.name + " of a part that deforms",
+                    "solids, one or more through the thickness, in their place");
+  }
+}
+
 /// What acts has a number of its kind, once: of two the second would add to the first. Of /BCS both hold, as in the
 /// starter, which is reported.
 void require_one_of_each(const RadiossDeck& deck, DeckReport& report) {
@@ -53,6 +66,7 @@ TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const 
                         DeckReport& report) {
   std::size_t given_nodes = 0;
   MeshFile mesh = radioss_mesh(deck, &given_nodes);
+  reject_shells_that_deform(deck, mesh, report);
   if (mesh.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (/BRICK), there are none");
   RadiossData data(deck, mesh, report);
   data.given_nodes = given_nodes;

@@ -29,12 +29,14 @@ void add_mesh(Table& table) {
   add(table, "TETRA4", {&r::tetra4});
   add(table, "TETRA10", {&r::tetra10, &r::tetra10_nodes});
   add(table, "BRIC20", {&r::bric20, &r::bric20_edges, &r::bric20_more});
+  add(table, "SHELL", {&r::shell});
+  add(table, "SH3N", {&r::sh3n});
   add(table, "PART", {&r::part});
-  for (const char* keyword :
-       {"SUBSET",        "GRNOD/NODE",      "GRNOD/GRNOD",  "GRNOD/GRBRIC",  "GRNOD/PART",      "GRNOD/SUBSET",
-        "GRNOD/MAT",     "GRNOD/PROP",      "GRNOD/SURF",   "GRNOD/BOX",     "GRBRIC/BRIC",     "GRBRIC/GRBRIC",
-        "GRBRIC/PART",   "GRBRIC/SUBSET",   "GRBRIC/MAT",   "GRBRIC/PROP",   "GRBRIC/BOX",      "SURF/SURF",
-        "SURF/PART/EXT", "SURF/SUBSET/EXT", "SURF/MAT/EXT", "SURF/PROP/EXT", "SURF/GRBRIC/EXT", "LINE/SURF"})
+  for (const char* keyword : {"SUBSET",          "GRNOD/NODE",    "GRNOD/GRNOD",   "GRNOD/GRBRIC",    "GRNOD/PART",
+                              "GRNOD/SUBSET",    "GRNOD/MAT",     "GRNOD/PROP",    "GRNOD/SURF",      "GRNOD/BOX",
+                              "GRBRIC/BRIC",     "GRBRIC/GRBRIC", "GRBRIC/PART",   "GRBRIC/SUBSET",   "GRBRIC/MAT",
+                              "GRBRIC/PROP",     "GRBRIC/BOX",    "SURF/SURF",     "SURF/PART/EXT",   "SURF/PART/ALL",
+                              "SURF/SUBSET/EXT", "SURF/MAT/EXT",  "SURF/PROP/EXT", "SURF/GRBRIC/EXT", "LINE/SURF"})
     add(table, keyword, {&r::members});
   for (const char* keyword : {"GRNOD/GENE", "GRBRIC/GENE"}) add(table, keyword, {&r::ranges});
   for (const char* keyword : {"GRNOD/GEN_INCR", "GRBRIC/GEN_INCR"}) add(table, keyword, {&r::range_steps});
@@ -48,6 +50,7 @@ void add_mesh(Table& table) {
 void add_materials(Table& table) {
   namespace r = radioss;
   add(table, "PROP/SOLID", {&r::solid, &r::solid_viscosity, &r::solid_step});
+  add(table, "PROP/SHELL", {&r::shell_form, &r::shell_damping, &r::shell_thickness});
   add(table, "DEF_SOLID", {&r::default_solid});
   add(table, "MAT/ELAST", {&r::density, &r::elasticity});
   add(table, "MAT/RIGID", {&r::density, &r::elasticity});

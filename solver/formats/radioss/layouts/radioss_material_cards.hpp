@@ -30,8 +30,8 @@ inline constexpr CardLayout johnson_rate{real("c"),
 inline constexpr CardLayout johnson_heat{real("m", 1), real("T_melt").at_least(0), real("rhoC_p"), real("T_r", 300),
                                          real("T_max").rejected("leave it 0: there is no other exponent above it")};
 
-inline constexpr CardLayout hydro_hardening{real("A").always(), real("B"), real("n", 1),
-                                            real("eps_max").at_least(0), real("sig_max").at_least(0)};
+inline constexpr CardLayout hydro_hardening{real("A").always(), real("B"), real("n", 1), real("eps_max").at_least(0),
+                                            real("sig_max").at_least(0)};
 inline constexpr CardLayout hydro_cutoff{real("Pmin").from(-1e30, 0)};
 inline constexpr CardLayout hydro_rate{real("C"), real("EPS_DOT_0"), real("M", 1), real("Tmelt").at_least(0),
                                        real("Tmax").rejected("leave it 0: there is no other exponent above it")};
@@ -175,5 +175,22 @@ inline constexpr CardLayout default_solid{whole("Isolid"),
                                           whole("Itetra10").reported(of_tetrahedra),
                                           whole("Imas").reported("masses are an eighth of each element"),
                                           whole("Iframe").reported("stresses turn with the material")};
+
+inline constexpr std::string_view of_rigid_shells = "of shells that deform";
+inline constexpr CardLayout shell_form{
+    whole("Ishell").reported(of_rigid_shells),     whole("Ismstr").reported(of_rigid_shells),
+    whole("Ish3n").reported(of_rigid_shells),      whole("Idrill").reported(of_rigid_shells),
+    whole("Ipinch").reported(of_rigid_shells),     blank(10),
+    real("P_thick_fail").reported(of_rigid_shells)};
+inline constexpr CardLayout shell_damping{real("hm").reported(of_rigid_shells), real("hf").reported(of_rigid_shells),
+                                          real("hr").reported(of_rigid_shells), real("dm").reported(of_rigid_shells),
+                                          real("dn").reported(of_rigid_shells)};
+inline constexpr CardLayout shell_thickness{whole("N").reported(of_rigid_shells),
+                                            whole("Istrain").reported(of_rigid_shells),
+                                            real("Thick").at_least(0),
+                                            real("Ashear").reported(of_rigid_shells),
+                                            blank(10),
+                                            whole("Ithick").reported(of_rigid_shells),
+                                            whole("Iplas").reported(of_rigid_shells)};
 
 }  // namespace pinball::radioss

@@ -5,6 +5,8 @@
 /// Nodes, elements, parts, and groups of them.
 namespace pinball::radioss {
 
+inline constexpr std::string_view no_axes_of_shells = "rigid shells have no axes";
+
 inline constexpr CardLayout node{whole("node_ID").always(), real("Xc"), real("Yc"), real("Zc")};
 inline constexpr CardLayout brick{whole("brick_ID").always(), whole("node_ID1"), whole("node_ID2"),
                                   whole("node_ID3"),          whole("node_ID4"), whole("node_ID5"),
@@ -24,6 +26,17 @@ inline constexpr CardLayout bric20_edges{whole("node_ID9"),  whole("node_ID10"),
                                          whole("node_ID12"), whole("node_ID13"), whole("node_ID14"),
                                          whole("node_ID15"), whole("node_ID16")};
 inline constexpr CardLayout bric20_more{whole("node_ID17"), whole("node_ID18"), whole("node_ID19"), whole("node_ID20")};
+inline constexpr CardLayout shell{whole("shell_ID").always(),
+                                  whole("node_ID1"),
+                                  whole("node_ID2"),
+                                  whole("node_ID3"),
+                                  whole("node_ID4"),
+                                  blank(10),
+                                  real("Phi").reported(no_axes_of_shells),
+                                  real("Thick").at_least(0)};
+inline constexpr CardLayout sh3n{whole("sh3n_ID").always(), whole("node_ID1"), whole("node_ID2"),
+                                 whole("node_ID3"),         blank(20),         real("Phi").reported(no_axes_of_shells),
+                                 real("Thick").at_least(0)};
 inline constexpr CardLayout part{whole("prop_ID").always(), whole("mat_ID").always(), whole("subset_ID").at_least(0),
                                  real("Thick").reported(of_shells),
                                  whole("Irigid").rejected("give an /RBODY of the nodes of the part")};

@@ -60,8 +60,14 @@ struct RadiossBox {
 }  // namespace
 
 RadiossGroups::RadiossGroups(const RadiossDeck& deck, const RadiossParts& parts, MeshFile& file,
-                             const NumberIndex& nodes)
-    : deck_(deck), parts_(parts), file_(file), middles_(file), nodes_(nodes), bricks_(file.element_ids) {}
+                             const NumberIndex& nodes, const std::vector<RigidShell>& shells)
+    : deck_(deck),
+      parts_(parts),
+      file_(file),
+      middles_(file),
+      nodes_(nodes),
+      shells_(shells),
+      bricks_(file.element_ids) {}
 
 void RadiossGroups::name_groups() {
   GivenOnce given;
@@ -138,6 +144,7 @@ RadiossGroups::Places RadiossGroups::nodes_of(const RadiossBlock& block) {
     });
   } else {
     all = nodes_of_bricks(bricks_of_parts(block, kind));
+    for (const Face& shell : shells_of_parts(block, kind)) all.insert(all.end(), shell.begin(), shell.end());
   }
   --depth_;
   sort_and_keep_one_of_each(all);
@@ -149,8 +156,12 @@ RadiossGroups::Places RadiossGroups::nodes_of(const RadiossBlock& block) {
 RadiossGroups::Places RadiossGroups::nodes_of_surface(const RadiossBlock& block) {
   const std::string kind = kind_of(block);
   if (kind == "SEG") return nodes_of_faces(faces_of(block));
-  if (kind != "SURF") return middles_.nodes_of(outside_of(bricks_of_surface(block)).all);
   Places all;
+  if (kind != "SURF") {
+    all = middles_.nodes_of(outside_of(bricks_of_surface(block)).all);
+    for (const Face& shell : shells_of_surface(block)) all.insert(all.end(), shell.begin(), shell.end());
+    return all;
+  }
   ++depth_;
   for_each_radioss_member(block, [&](std::int64_t id, const DeckPlace& place) {
     add_all(all, nodes_of_surface(find(surfaces_, "SURF", id, place)));
@@ -200,6 +211,7 @@ std::vector<RadiossGroups::Face> RadiossGroups::faces_of(const RadiossBlock& blo
     const std::string note = fmt::format("{} ({}): {} that other solids have, too, not in it: nothing touches there",
                                          block.title, block.place.text(), counted(inside, "face", "faces"));
     if (inside > 0 && std::ranges::find(file_.notes, note) == file_.notes.end()) file_.notes.push_back(note);
+    add_all(faces, shells_of_surface(block));
   }
   --depth_;
   return faces;
@@ -250,12 +262,34 @@ RadiossGroups::Places RadiossGroups::in_boxes(const RadiossBlock& block, bool of
   return all;
 }
 
-RadiossGroups::Places RadiossGroups::bricks_of_parts(const RadiossBlock& block, std::string_view kind) const {
+/// Per part of the file.
+std::vector<bool> RadiossGroups::parts_of(const RadiossBlock& block, std::string_view kind) const {
   std::vector<std::int64_t> wanted;
   for_each_radioss_member(
       block, [&](std::int64_t id, const DeckPlace& place) { add_all(wanted, parts_.named(kind, id, place)); });
   std::vector<bool> takes(file_.parts.size(), false);
   for (std::size_t p = 0; p < file_.parts.size(); ++p) takes[p] = std::ranges::count(wanted, file_.parts[p].id) > 0;
+  return takes;
+}
+
+std::vector<RadiossGroups::Face> RadiossGroups::shells_of_parts(const RadiossBlock& block,
+                                                                std::string_view kind) const {
+  std::vector<Face> faces;
+  if (shells_.empty()) return faces;
+  const std::vector<bool> takes = parts_of(block, kind);
+  for (const RigidShell& shell : shells_) {
+    if (takes[shell.part]) faces.push_back(shell.nodes);
+  }
+  return faces;
+}
+
+std::vector<RadiossGroups::Face> RadiossGroups::shells_of_surface(const RadiossBlock& block) const {
+  const std::string kind = kind_of(block);
+  return kind == "GRBRIC" ? std::vector<Face>{} : shells_of_parts(block, kind);
+}
+
+RadiossGroups::Places RadiossGroups::bricks_of_parts(const RadiossBlock& block, std::string_view kind) const {
+  const std::vector<bool> takes = parts_of(block, kind);
   Places all;
   for (std::size_t e = 0; e < file_.part.size(); ++e) {
     if (takes[file_.part[e]]) all.push_back(e);

@@ -15,6 +15,7 @@
 
 #include "radioss_groups.hpp"
 #include "radioss_members.hpp"
+#include "radioss_shells.hpp"
 
 namespace pinball {
 
@@ -54,10 +55,20 @@ class RadiossMeshReader {
     if (nodes_.repeated() >= 0) fail_twice(is_of_nodes, radioss::node, "node", file_.node_ids[nodes_.repeated()]);
     for (const RadiossBlock& block : deck_.blocks) {
       if (is_of_solids(block)) read_solids(block);
+      if (is_of_shells(block)) add_part(block.id(), "");
     }
     if (const std::int32_t twice = NumberIndex(file_.element_ids).repeated(); twice >= 0)
       fail_twice(is_of_solids, radioss::brick, "solid", file_.element_ids[twice]);
-    RadiossGroups(deck_, parts_, file_, nodes_).read();
+    const RadiossShells shells(deck_, parts_, file_, nodes_);
+    std::vector<RigidShell> rigid;
+    if (!shells.all().empty()) {
+      MeshFile with_all = file_;
+      RadiossGroups(deck_, parts_, with_all, nodes_, shells.all()).read();
+      rigid = shells.that_stay_as_they_are(with_all.node_sets);
+    }
+    RadiossGroups(deck_, parts_, file_, nodes_, rigid).read();
+    add_shell_layers(rigid, file_);
+    put_layers_into_sets(file_);
     given_nodes_ = file_.mesh.nodes.size();
     split_ten_nodes(file_);
     split_twenty_nodes(file_);

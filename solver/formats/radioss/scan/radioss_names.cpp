@@ -14,9 +14,10 @@ std::string radioss_name(const std::string& words) {
       {"MAT/LAW04", "MAT/HYD_JCOOK"},  {"MAT/LAW13", "MAT/RIGID"},      {"MAT/LAW36", "MAT/PLAS_TAB"},
       {"MAT/LAW33", "MAT/FOAM_PLAS"},  {"MAT/LAW21", "MAT/DPRAG"},      {"MAT/LAW10", "MAT/DPRAG1"},
       {"MAT/LAW62", "MAT/VISC_HYP"},   {"MAT/LAW42", "MAT/OGDEN"},      {"MAT/LAW79", "MAT/JOHN_HOLM"},
-      {"MAT/LAW44", "MAT/COWPER"},     {"PROP/TYPE14", "PROP/SOLID"},   {"PROP/TYPE0", "PROP/VOID"},
-      {"PROP/TYPE45", "PROP/KJOINT2"}, {"TH/BRICK", "TH/BRIC"},         {"GRNOD/NODENS", "GRNOD/NODE"},
-      {"GRBRIC/BRICK", "GRBRIC/BRIC"}, {"GRBRICK/BRIC", "GRBRIC/BRIC"}, {"GRBRICK/PART", "GRBRIC/PART"},
+      {"MAT/LAW44", "MAT/COWPER"},     {"PROP/TYPE14", "PROP/SOLID"},   {"PROP/TYPE1", "PROP/SHELL"},
+      {"PROP/TYPE0", "PROP/VOID"},     {"PROP/TYPE45", "PROP/KJOINT2"}, {"TH/BRICK", "TH/BRIC"},
+      {"GRNOD/NODENS", "GRNOD/NODE"},  {"GRBRIC/BRICK", "GRBRIC/BRIC"}, {"GRBRICK/BRIC", "GRBRIC/BRIC"},
+      {"GRBRICK/PART", "GRBRIC/PART"},
   };
   const auto found = names.find(words);
   return found == names.end() ? words : found->second;
