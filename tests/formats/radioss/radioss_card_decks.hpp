@@ -256,6 +256,7 @@ inline std::vector<RadiossCardDeck> radioss_card_decks() {
       {"RUN", "/RUN/cube/1", {"1.0E-6"}, "", {}, true},
       {"DT", "/DT", {"0.8,0"}, "", {}, true},
       {"DT/BRICK/STOP", "/DT/BRICK/STOP", {"0.8,0"}, "", {}, true},
+      {"DT/BRICK/CST", "/DT/BRICK/CST/0", {"0.8,0"}, "", {}, true},
       {"DT/NODA", "/DT/NODA", {"0.8,0"}, "", {}, true},
       {"DT/NODA/CST", "/DT/NODA/CST/0", {"0.8,0"}, "", {}, true},
       {"DTIX", "/DTIX", {"0,0"}, "", {}, true},

@@ -125,6 +125,11 @@ TEST_F(RadiossTest, TheStepOfSolidsCountsBeforeThatOfAll) {
   EXPECT_EQ(scene(cube_with("")).time.cfl, 0.5);
   engine_ += "/DT/NODA\n0.7 0\n";
   EXPECT_EQ(scene(cube_with("")).time.cfl, 0.7);
+  engine_ = radioss_run + "/DT/BRICK/CST/0\n0.6 1.0E-9\n/DT/INTER/CST\n0.9 1.0E-9\n";
+  const TranslatedDeck deck = translate(cube_with(""));
+  EXPECT_EQ(scene(cube_with("")).time.cfl, 0.6);
+  EXPECT_THAT(deck.understood, testing::Contains(HasSubstr("/DT/BRICK/CST/0: Tmin")));
+  EXPECT_THAT(deck.ignored, testing::Contains(HasSubstr("/DT/INTER/CST")));
 }
 
 /// Points of a + b e^n, so near to each other that lines between them are the law; from a strain of 4 on it goes on

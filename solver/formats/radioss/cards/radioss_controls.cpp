@@ -23,7 +23,7 @@ const RadiossBlock* only(const RadiossData& data, const char* name) {
 /// A step that is 0 is the default. That of solids counts before that of all, and nodal steps before both.
 void set_step(RadiossData& data, const DeckKeys<TimeSettings>& of_run) {
   DeckKeys<TimeSettings> keys = of_run;
-  for (const char* name : {"DT", "DT/BRICK/STOP", "DT/NODA", "DT/NODA/CST"}) {
+  for (const char* name : {"DT", "DT/BRICK/STOP", "DT/BRICK/CST", "DT/NODA", "DT/NODA/CST"}) {
     const RadiossBlock* block = only(data, name);
     if (block == nullptr) continue;
     RadiossLines lines(*block);

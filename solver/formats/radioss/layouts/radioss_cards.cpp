@@ -125,7 +125,7 @@ void add_controls(Table& table) {
   add(table, "ANALY", {&r::analysis});
   add(table, "RANDOM", {&r::random_noise});
   add(table, "RUN", {&r::run});
-  for (const char* keyword : {"DT", "DT/BRICK/STOP", "DT/NODA"}) add(table, keyword, {&r::step});
+  for (const char* keyword : {"DT", "DT/BRICK/STOP", "DT/BRICK/CST", "DT/NODA"}) add(table, keyword, {&r::step});
   add(table, "DT/NODA/CST", {&r::step_mass});
   add(table, "DTIX", {&r::first_step});
   for (const char* keyword : {"STOP", "KILL"}) add(table, keyword, {&r::limits});
