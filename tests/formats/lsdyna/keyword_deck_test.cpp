@@ -219,6 +219,17 @@ TEST(KeywordDeck, WhatIsNoDeckIsSaidToBeNone) {
             "a.k:1: expected a keyword such as *KEYWORD, got \"[time]\"");
 }
 
+TEST(KeywordDeck, AKeywordBehindBlanksIsRefusedAndNotReadAsData) {
+  const auto error = [](const std::string& text) { return error_of([&] { parse_keyword_deck(text, "a.k"); }); };
+  EXPECT_EQ(error("*KEYWORD\n*SET_NODE_LIST\n         1\n *BOUNDARY_SPC_SET\n"),
+            "a.k:4: a keyword begins in the first column, and blanks stand before *BOUNDARY_SPC_SET");
+  EXPECT_EQ(error("\t*KEYWORD\n*NODE\n"),
+            "a.k:1: a keyword begins in the first column, and blanks stand before *KEYWORD");
+  EXPECT_EQ(error("*KEYWORD\n*NODE\n *END\r\n"),
+            "a.k:3: a keyword begins in the first column, and blanks stand before *END");
+  EXPECT_EQ(error("*PART\n *PART of a bumper\n*PART\n *** rod\n*PART\n *ROD\n*PART\n *part\n"), "no error") << "titles";
+}
+
 TEST(KeywordDeck, ParametersStandForNumbersAndTexts) {
   const KeywordDeck deck = parse_keyword_deck(
       "*PARAMETER\nR speed        300.0I parts            2\nC name,bar\n*PARAMETER_EXPRESSION\nR energy,0.5*speed**2\n"

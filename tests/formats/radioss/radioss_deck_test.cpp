@@ -56,6 +56,12 @@ TEST_F(RadiossTest, TheEnginesFileByItselfIsNamed) {
               HasSubstr("expected the file of the starter, NAME_0000.rad, this is one of the engine"));
 }
 
+TEST_F(RadiossTest, AKeywordBehindBlanksIsRefusedAndNotReadAsData) {
+  EXPECT_THAT(error(cube_with(" /GRAV/1\nheavy\n")),
+              HasSubstr("a keyword begins in the first column, and blanks stand before /GRAV/1"));
+  EXPECT_EQ(error(cube_with("#  /GRAV/1\n")), "no error") << "a comment";
+}
+
 TEST_F(RadiossTest, OtherProgramsInputIsNamed) {
   std::ofstream(path_) << "*KEYWORD\n*NODE\n";
   EXPECT_THAT(error_of([&] { translate_radioss(path_); }), HasSubstr("cube_0000.rad:1: expected Radioss input"));

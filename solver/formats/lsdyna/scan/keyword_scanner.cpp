@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <solver/formats/deck/indented_keyword.hpp>
+
 #include "fields.hpp"
 
 namespace pinball {
@@ -51,7 +53,9 @@ std::string_view KeywordScanner::take_line() {
 /// What stands before the first keyword: blank lines and comments alone.
 void KeywordScanner::skip_to_keyword() {
   while (!rest_.empty() && rest_.front() != '*') {
-    const std::string_view line = trimmed(take_line());
+    const std::string_view whole = take_line();
+    refuse_indented_keyword(whole, '*', place_);
+    const std::string_view line = trimmed(whole);
     if (!line.empty() && line.front() != '$')
       fail_at(place_, "expected a keyword such as *KEYWORD, got \"" + std::string(line.substr(0, 40)) + '"');
   }
@@ -101,7 +105,10 @@ void KeywordScanner::read_options(KeywordBlock& block) const {
 /// The lines up to the next keyword.
 std::string_view KeywordScanner::take_body() {
   const std::string_view all = rest_;
-  while (!rest_.empty() && rest_.front() != '*') take_line();
+  while (!rest_.empty() && rest_.front() != '*') {
+    const std::string_view line = take_line();
+    refuse_indented_keyword(line, '*', place_);
+  }
   return all.substr(0, all.size() - rest_.size());
 }
 

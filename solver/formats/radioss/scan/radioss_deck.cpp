@@ -8,6 +8,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/formats/deck/deck_files.hpp>
+#include <solver/formats/deck/indented_keyword.hpp>
 #include <solver/formats/deck/number_text.hpp>
 #include <solver/mesh/file/input_file.hpp>
 
@@ -102,6 +103,7 @@ class RadiossReader {
       const std::string_view line = first_line(rest);
       rest.remove_prefix(std::min(line.size() + 1, rest.size()));
       ++place.line;
+      refuse_indented_keyword(line, '/', place);
       if (deck_.blocks.empty() && !trimmed(line).empty() && !is_radioss_comment(line)) fail_foreign(line, place);
     }
     const std::size_t size = begin.size() - rest.size();
