@@ -13,6 +13,8 @@ struct FieldBase {
   std::span<const Point> initial;  ///< per node: where the scene has put it [length]; empty: not known
   /// What mesh files call nodes and elements, -1 where they are from no file; empty: no file gives them numbers.
   std::vector<std::int64_t> node_number, element_number;
+  /// Of a piece of a mesh: places of its nodes and elements in the scene. Empty: all of them are here.
+  std::vector<std::int64_t> node_place{}, element_place{};
 };
 
 }  // namespace pinball

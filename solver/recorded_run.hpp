@@ -34,8 +34,10 @@ struct RecordOptions {
   /// Of a run that goes on from a checkpoint (restart.hpp): where it does. Other runs: where their scene says.
   Device device = Device::none;
   int threads = 0;  ///< as in SimulationOptions
-  /// As in SimulationOptions. Ranks other than 0 write nothing, and return when rank 0 has no more to do.
+  /// As in SimulationOptions. Ranks other than 0 write nothing but pieces, and return when rank 0 has no more to do.
   Ranks* ranks = nullptr;
+  /// Several ranks each write their piece of the fields, into a folder that all of them see, in place of rank 0.
+  bool pieces = false;
   DeckNotes deck{};     ///< of a scene that is made of one; a restart has its own
   bool silent = false;  ///< nor warnings: for a host that tells them itself
   /// JSON of error bands of the scene's numbers, for summary and page; empty: none are known.

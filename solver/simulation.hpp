@@ -28,6 +28,9 @@ enum class AfterStep {
 /// Called between two steps; may look at everything, and change what is meant to be changed.
 using StepCallback = std::function<AfterStep(Simulation&)>;
 
+/// What one of the program's ranks does with what it works, and says of it to rank 0.
+using RankAnswer = std::function<std::string(Simulation&, std::int64_t number)>;
+
 /// How a scene is to be run; none of it changes results.
 struct SimulationOptions {
   /// Threads that steps are made with, results being the same bits for any number; 0: what the scene's size earns, at
@@ -90,8 +93,11 @@ class PINBALL_API Simulation {
   bool run_until(double time);
   /// Steps until the run is complete or a callback stops it; another call goes on. Returns complete().
   bool run();
-  /// For ranks other than 0: does what rank 0 does, until that has no more to do.
-  void follow_rank_0();
+  /// For ranks other than 0: does what rank 0 does, until that has no more to do. answer: what each does, rank 0 too,
+  /// when that asks all of them.
+  void follow_rank_0(const RankAnswer& answer = {});
+  /// On rank 0: what all of them say, in their order. number: that all get.
+  std::vector<std::string> ask_ranks(std::int64_t number, const RankAnswer& answer);
   /// Adds a callback to those that are called after each step, in order; any of them can stop the run, the others are
   /// called all the same. An exception from one ends step() with it, and the run may go on. Their time counts as output
   /// in phase_seconds. They move with the simulation.
@@ -120,6 +126,10 @@ class PINBALL_API Simulation {
   std::uint64_t state_hash() const;                  ///< of positions, velocities and stresses
   /// Copy of all fields at state_time(), in double and in the order of the scene.
   FieldSnapshot snapshot() const;
+  /// The same of one of several ranks: of elements that are another's, and of their nodes, it may be old.
+  FieldSnapshot own_snapshot() const;
+  int rank() const;                                    ///< of this process; 0 where it is alone
+  std::vector<std::int32_t> rank_of_elements() const;  ///< of each; empty where this process is alone
   /// What of the fields does not change; its views are valid as long as the simulation is.
   FieldBase field_base() const;
 

@@ -1,4 +1,5 @@
-"""Reads the field output of Pinball: NAME.pvd and its .vtu files (appended raw data, UInt64 headers, hexahedra).
+"""Reads the field output of Pinball: NAME.pvd and its .vtu files (appended raw data, UInt64 headers, hexahedra), or the .pvtu
+files of several ranks.
 
 Not a general VTU reader: it takes what solver/output/field_output.cpp writes, and needs NumPy alone.
 """
@@ -20,6 +21,8 @@ class BadInput(Exception):
 
 
 TYPES = {"Float32": "<f4", "Float64": "<f8", "UInt8": "u1", "Int32": "<i4", "Int64": "<i8"}
+
+IDS = (("point_data", "GlobalNodeId"), ("cell_data", "GlobalElementId"))  # of a piece: places in the scene
 
 
 @dataclass
@@ -75,7 +78,40 @@ def hexahedra_of(connectivity: npt.NDArray[Any], ends: npt.NDArray[Any]) -> npt.
 
 
 def read_vtu(path: str) -> Mesh:
-    """The Mesh in one .vtu file. Raises BadInput where the file is missing, cut short or of another kind."""
+    """The Mesh of one output time, in the order of the scene: of a .vtu file, or of all pieces of a .pvtu. Raises BadInput where a
+    file is missing, cut short or of another kind."""
+    return join_pieces(path) if path.endswith(".pvtu") else read_piece(path)
+
+
+def join_pieces(path: str) -> Mesh:
+    """All pieces that a .pvtu file lists, in the order of the scene, which they say of their nodes and elements."""
+    try:
+        sources = [piece.attrib["Source"] for piece in ElementTree.parse(path).getroot().iter("Piece")]
+    except (OSError, KeyError, ElementTree.ParseError) as error:
+        raise BadInput(f"{path}: cannot be read: {error}")
+    pieces = [read_piece(os.path.join(os.path.dirname(path), source)) for source in sources]
+    try:
+        nodes, elements = [[getattr(piece, data).pop(name) for piece in pieces] for data, name in IDS]
+
+        def joined(places: list[npt.NDArray[Any]], parts: list[npt.NDArray[Any]]) -> npt.NDArray[Any]:
+            whole = np.empty((1 + max(int(place.max()) for place in places), *parts[0].shape[1:]), parts[0].dtype)
+            for place, values in zip(places, parts):
+                whole[place] = values
+            return whole
+
+        first = pieces[0]
+        return Mesh(joined(nodes, [piece.points for piece in pieces]),
+                    joined(elements, [place[piece.hexahedra].astype(piece.hexahedra.dtype) for place, piece in zip(nodes, pieces)]),
+                    {name: joined(nodes, [piece.point_data[name] for piece in pieces]) for name in first.point_data},
+                    {name: joined(elements, [piece.cell_data[name] for piece in pieces]) for name in first.cell_data},
+                    {name: names for name, names in first.components.items() if name not in dict(IDS).values()}, first.names,
+                    first.units)
+    except (IndexError, KeyError, ValueError) as error:
+        raise BadInput(f"{path}: its pieces do not belong together ({error})")
+
+
+def read_piece(path: str) -> Mesh:
+    """The Mesh in one .vtu file. Raises BadInput as read_vtu."""
     try:
         with open(path, "rb") as file:
             content = file.read()

@@ -217,6 +217,14 @@ FieldArrays list_arrays(const FieldSnapshot& s, const FieldBase& base, const std
   if (!bodies.empty()) a.field.push_back(names_array("body_names", bodies));
   list_node_arrays(s, base, {fields}, a.point);
   list_element_arrays(s, base, {fields}, a.cell);
+  if (!base.node_place.empty()) {
+    a.point.push_back(numbers_array(node_places, base.node_place));
+    a.point_attributes = fmt::format(R"( GlobalIds="{}")", node_places);
+  }
+  if (!base.element_place.empty()) {
+    a.cell.push_back(numbers_array(element_places, base.element_place));
+    a.cell_attributes = fmt::format(R"( GlobalIds="{}")", element_places);
+  }
   list_mesh_arrays(s, a);
   return a;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <solver/field_base.hpp>
@@ -13,6 +14,9 @@ namespace pinball {
 
 /// Takes bytes, a piece after the other.
 using ByteSink = std::function<void(const void* data, std::size_t bytes)>;
+
+/// Names of the arrays that say of the nodes and elements of a piece where they are in the scene.
+inline constexpr std::string_view node_places = "GlobalNodeId", element_places = "GlobalElementId";
 
 /// One <DataArray>: what the head of the file says of it, and how its bytes are made.
 struct DataArray {
@@ -24,6 +28,7 @@ struct DataArray {
 /// Those of one .vtu file, by the part that they stand in. They read what they were listed from.
 struct FieldArrays {
   std::vector<DataArray> field, point, cell, points, cells;
+  std::string point_attributes{}, cell_attributes{};  ///< of the parts: which array has the places in the scene
 };
 
 /// Of a snapshot: fields as in OutputSettings::fields, empty for all; names of the bodies.

@@ -10,26 +10,16 @@
 
 #include <solver/base/error.hpp>
 #include <solver/scene/schema/field_names.hpp>
-#include <solver/scene/units/units.hpp>
 
 #include "field_arrays.hpp"
 #include "output_file.hpp"
 #include "run_files.hpp"
+#include "units_comment.hpp"
 
 namespace pinball {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the appended data are written as they lie in memory");
-
-/// Text that may stand in an XML comment.
-std::string comment(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '-' && !safe.empty() && safe.back() == '-') safe += ' ';  // "--" would end it
-    safe += c;
-  }
-  return fmt::format("<!-- {} -->\n", safe);
-}
 
 }  // namespace
 
@@ -39,11 +29,11 @@ void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std
   const FieldArrays arrays = list_arrays(snapshot, base, fields, bodies);
 
   // Offsets count from the byte after "_"; each block is its length (UInt64) and its bytes.
-  std::string head = "<?xml version=\"1.0\"?>\n" + comment(units_line(units));
+  std::string head = "<?xml version=\"1.0\"?>\n" + units_comment(units);
   std::vector<const DataArray*> blocks;
   std::uint64_t offset = 0;
-  const auto section = [&](std::string_view name, const std::vector<DataArray>& list) {
-    head += fmt::format("      <{}>\n", name);
+  const auto section = [&](std::string_view name, std::string_view attributes, const std::vector<DataArray>& list) {
+    head += fmt::format("      <{}{}>\n", name, attributes);
     for (const DataArray& array : list) {
       head += fmt::format("        <DataArray {} format=\"appended\" offset=\"{}\"/>\n", array.attributes, offset);
       offset += sizeof(std::uint64_t) + array.bytes;
@@ -54,13 +44,13 @@ void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std
   head +=
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
       "  <UnstructuredGrid>\n";
-  section("FieldData", arrays.field);
+  section("FieldData", "", arrays.field);
   head += fmt::format("    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", snapshot.position.size(),
                       snapshot.hexahedra.size());
-  section("PointData", arrays.point);
-  section("CellData", arrays.cell);
-  section("Points", arrays.points);
-  section("Cells", arrays.cells);
+  section("PointData", arrays.point_attributes, arrays.point);
+  section("CellData", arrays.cell_attributes, arrays.cell);
+  section("Points", "", arrays.points);
+  section("Cells", "", arrays.cells);
   head += "    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
 
   OutputFile file(path);
@@ -95,8 +85,9 @@ FieldWriter::FieldWriter(std::string folder, std::string base_name, std::vector<
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder_.empty() ? "." : folder_, error)) {
     const std::string stem = entry.path().stem().string();
-    if (entry.path().extension() == ".vtu" && stem.size() > prefix.size() && stem.starts_with(prefix) &&
-        std::all_of(stem.begin() + prefix.size(), stem.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+    const std::string kind = entry.path().extension().string();
+    if ((kind == ".vtu" || kind == ".pvtu") && stem.size() > prefix.size() && stem.starts_with(prefix) &&
+        is_field_number(stem.substr(prefix.size()))) {
       stale.push_back(entry.path());
     }
   }
@@ -108,6 +99,8 @@ FieldWriter::FieldWriter(std::string folder, std::string base_name, std::vector<
       continue;
     }
     stale.erase(there);
+    const std::string pieces = std::filesystem::path(file.second).stem().string() + '_';
+    std::erase_if(stale, [&pieces](const auto& path) { return path.filename().string().starts_with(pieces); });
     written_.push_back(file);
   }
   next_number_ = kept.size();
@@ -122,8 +115,18 @@ void FieldWriter::write(const FieldSnapshot& snapshot) {
   write_list();
 }
 
+void FieldWriter::list_pieces(const FieldPiece& any, const std::vector<std::int32_t>& ranks) {
+  std::vector<std::string> sources;
+  for (const std::int32_t rank : ranks) sources.push_back(piece_name(base_name_, next_number(), rank));
+  const std::string name = fmt::format("{}_{:04}.pvtu", base_name_, next_number_++);
+  write_list_of_pieces(in_folder(folder_, name), list_arrays(any.snapshot, any.base, fields_, bodies_), units_,
+                       sources);
+  written_.emplace_back(any.snapshot.time, name);
+  write_list();
+}
+
 void FieldWriter::write_list() const {
-  std::string text = "<?xml version=\"1.0\"?>\n" + comment(units_line(units_)) +
+  std::string text = "<?xml version=\"1.0\"?>\n" + units_comment(units_) +
                      "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n";
   for (const auto& [time, name] : written_) {
     text += fmt::format("    <DataSet timestep=\"{:.17g}\" group=\"\" part=\"0\" file=\"{}\"/>\n", time, name);

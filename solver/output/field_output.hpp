@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <solver/field_base.hpp>
 #include <solver/results.hpp>
+
+#include "field_pieces.hpp"
 
 namespace pinball {
 
@@ -23,17 +26,24 @@ class FieldWriter {
  public:
   using Written = std::vector<std::pair<double, std::string>>;  ///< time, file name
 
-  /// Makes the folder and removes BASE.pvd and BASE_<digits>.vtu that an earlier run left there, but for the files
-  /// that are `kept`: the list begins with those of them that are there.
-  /// `fields`: names as in OutputSettings::fields, empty for all; a field whose array in the snapshot is empty (the run
-  /// did not need it) is left out. `units`: the scene's string. `bodies`: their names, in the order of their numbers.
-  /// `base`: its views have to be valid as long as this writes; without initial positions there are no displacements.
-  /// Throws InputError for an unknown name, RunError where the folder cannot be made.
+  /// Makes the folder and removes BASE.pvd, BASE_<digits>.vtu and pieces that an earlier run left there, but for the
+  /// files that are `kept`: the list begins with those of them that are there. `fields`: names as in
+  /// OutputSettings::fields, empty for all; a field whose array in the snapshot is empty (the run did not need it) is
+  /// left out. `units`: the scene's string. `bodies`: their names, in the order of their numbers. `base`: its views
+  /// have to be valid as long as this writes; without initial positions there are no displacements. Throws InputError
+  /// for an unknown name, RunError where the folder cannot be made.
   FieldWriter(std::string folder, std::string base_name, std::vector<std::string> fields = {}, std::string units = {},
               const Written& kept = {}, std::vector<std::string> bodies = {}, FieldBase base = {});
 
   /// Writes one file and renews the list. Throws RunError that names the file where it cannot be written.
   void write(const FieldSnapshot& snapshot);
+
+  /// When several ranks have each written their piece (piece_name) in its place: lists them in BASE_0000.pvtu. any: a
+  /// piece; ranks: that have written one.
+  void list_pieces(const FieldPiece& any, const std::vector<std::int32_t>& ranks);
+  /// Of the file that comes next.
+  std::int64_t next_number() const { return static_cast<std::int64_t>(next_number_); }
+  const std::string& folder() const { return folder_; }
 
   /// Number of files written.
   std::size_t count() const { return written_.size(); }

@@ -10,6 +10,7 @@
 #include "message.hpp"
 #include "out_of_memory.hpp"
 #include "progress.hpp"
+#include "rank_pieces.hpp"
 #include "recorder.hpp"
 #include "run_folder.hpp"
 
@@ -159,7 +160,7 @@ auto with_memory_reported(const Scene& scene, const RunFolder& folder, const Act
 RunSummary follow(const Scene& scene, const RecordOptions& options) {
   Simulation simulation(scene, {options.threads, options.ranks});
   if (options.restart != nullptr) take_state(*options.restart, simulation);
-  simulation.follow_rank_0();
+  simulation.follow_rank_0(answer_with_piece(options.out));
   RunSummary summary;
   summary.status = RunStatus::done;
   return summary;

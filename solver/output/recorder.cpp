@@ -8,6 +8,7 @@
 #include <solver/scene_rules.hpp>
 
 #include "message.hpp"
+#include "rank_pieces.hpp"
 #include "run_files.hpp"
 
 namespace pinball {
@@ -44,6 +45,7 @@ Recorder::Recorder(Simulation& simulation, const RecordOptions& options, bool co
       every_step_(simulation.scene().output.every_step),
       field_times_(simulation.scene().output.field_interval, simulation.scene().output.field_times),
       units_(simulation.scene().units),
+      in_pieces_(options.pieces && options.ranks != nullptr),
       checkpoint_every_(options.checkpoint_every) {
   if (options.source != nullptr) {
     head_ = checkpoint_head(*options.source, simulation);
@@ -126,9 +128,17 @@ void Recorder::record(Simulation& simulation, bool last) {
   }
   if (!fields_due) return;
   last_good_ = {};  // never two copies: this one is as large as the arrays of the step
-  fields_->write(simulation.snapshot());
+  write_fields(simulation);
   field_times_.passed(time);
   if (!last) save(simulation);
+}
+
+void Recorder::write_fields(Simulation& simulation) {
+  if (in_pieces_) {
+    write_pieces(simulation, *fields_);
+  } else {
+    fields_->write(simulation.snapshot());
+  }
 }
 
 void Recorder::save(Simulation& simulation) {
@@ -172,7 +182,7 @@ std::string Recorder::stop(Simulation& simulation) {
   const double time = simulation.state_time();
   if (last_row_ != time) history_->write(simulation.history_row());
   const bool has_fields = fields_ && !fields_->written().empty() && fields_->written().back().first == time;
-  if (fields_ && !has_fields) fields_->write(simulation.snapshot());
+  if (fields_ && !has_fields) write_fields(simulation);
   return head_ ? path(checkpoint_name) : "";
 }
 

@@ -85,6 +85,7 @@ class Recorder {
 
   RunRecord restart(const Checkpoint& checkpoint, Simulation& simulation);
   void open_files(const Simulation& simulation, const std::optional<RunRecord>& kept);
+  void write_fields(Simulation& simulation);
   void save(Simulation& simulation);
   void keep_state(Simulation& simulation);
   void write_state(Simulation& simulation);
@@ -99,6 +100,7 @@ class Recorder {
   std::unique_ptr<HistoryWriter> history_;
   std::optional<double> last_row_;  ///< its time
   std::unique_ptr<FieldWriter> fields_;
+  bool in_pieces_;                      ///< each rank writes one of the fields
   std::optional<CheckpointHead> head_;  ///< only for a scene whose source is known; fingerprint: 0 until it is needed
   StateBytes last_good_;                ///< RunRecord and Simulation
   Clock::time_point start_ = Clock::now(), next_copy_{};

@@ -12,20 +12,30 @@ bool is_any_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool is_number(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
 /// fields_0000.vtu
 bool is_field_file(std::string_view name) {
   const std::string prefix = std::string(fields_base) + '_';
-  constexpr std::string_view suffix = ".vtu";
-  if (!name.starts_with(prefix) || !name.ends_with(suffix) || name.size() <= prefix.size() + suffix.size())
-    return false;
-  const std::string_view number = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
-  return std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!name.starts_with(prefix)) return false;
+  name.remove_prefix(prefix.size());
+  for (const std::string_view suffix : {".pvtu", ".vtu"}) {
+    if (name.ends_with(suffix)) return is_field_number(name.substr(0, name.size() - suffix.size()));
+  }
+  return false;
 }
 
 }  // namespace
 
 std::string in_folder(const std::string& folder, std::string_view name) {
   return (std::filesystem::path(folder) / name).string();
+}
+
+bool is_field_number(std::string_view text) {
+  const std::size_t end = std::min(text.find('_'), text.size());
+  return is_number(text.substr(0, end)) && (end == text.size() || is_number(text.substr(end + 1)));
 }
 
 bool is_run_file(const std::string& name) {

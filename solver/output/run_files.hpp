@@ -15,12 +15,16 @@ inline constexpr const char* checkpoint_name = "checkpoint.pinball";
 inline constexpr const char* last_good_name = "last_good.pinball";
 inline constexpr const char* last_good_picture_name = "last_good.vtu";
 inline constexpr const char* page_name = "index.html";
-inline constexpr const char* fields_base = "fields";                      ///< fields.pvd, fields_0000.vtu, ...
+inline constexpr const char* fields_base =
+    "fields";  ///< fields.pvd, fields_0000.vtu, ...; of ranks fields_0000.pvtu, fields_0000_0.vtu, ...
 inline constexpr const char* study_settings_name = "study_settings.txt";  ///< of a run of `pinball converge`
 inline constexpr const char* lock_name = "pinball.lock";
 
 /// The file of the folder, which may be empty.
 std::string in_folder(const std::string& folder, std::string_view name);
+
+/// Whether this stands between the base and the ending of a file of fields: 0000, of a piece 0000_0.
+bool is_field_number(std::string_view text);
 
 /// Whether a run writes a file of this name; the lock is none of its results.
 bool is_run_file(const std::string& name);

@@ -254,6 +254,20 @@ void Subdomain<S>::bring_back(Model<S>& model) {
 }
 
 template <class S>
+std::vector<std::string> Subdomain<S>::ask(std::int64_t number, const std::function<std::string(std::int64_t)>& act) {
+  order(RankOrder::answer);
+  ranks_.broadcast(std::as_writable_bytes(std::span(&number, 1)));
+  const std::string own = act(number);
+  std::vector<std::string> all;
+  for (const std::span<const std::byte> of : sharers_.to_all(std::as_bytes(std::span(own)))) {
+    std::string& text = all.emplace_back(of.size(), ' ');
+    std::span<const std::byte> rest = of;
+    get(rest, std::span(text));
+  }
+  return all;
+}
+
+template <class S>
 void Subdomain<S>::state_was_read(Model<S>& model) {
   is_whole_ = true;
   is_alive_.resize(model.elements.slots);

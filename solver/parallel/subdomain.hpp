@@ -31,6 +31,7 @@ enum class RankOrder : std::int32_t {
   step,    ///< the next one
   finish,  ///< the step without a length, at the end
   state,   ///< to send their part of the state
+  answer,  ///< to do what was agreed on, with their part of the state (ask)
   end      ///< nothing more is to come
 };
 
@@ -155,6 +156,13 @@ class Subdomain final : public SharedNodes {
   /// In a step: what was brought back is about to change.
   void go_on() { is_whole_ = false; }
   void send_state(Model<S>& model);  ///< at RankOrder::state
+  /// Brings what this rank works into the model; what is another's may be old there.
+  void bring_own() const {
+    if (bring_own_) bring_own_();
+  }
+  /// On rank 0: all call act(number) and say what it returns, in the order of the ranks. The others: at
+  /// RankOrder::answer.
+  std::vector<std::string> ask(std::int64_t number, const std::function<std::string(std::int64_t)>& act);
   void state_was_read(Model<S>& model);
 
   SharedWork work() const;

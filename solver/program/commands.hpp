@@ -29,6 +29,7 @@ struct RunOptions : SceneOptions {
   std::int64_t checkpoint_every = 0;  ///< steps or cycles; 0: no checkpoints
   std::string restart;                ///< checkpoint to go on from, in place of a scene; empty: none
   Ranks* ranks = nullptr;             ///< of one mpirun; null: this process is alone
+  bool pieces = false;                ///< each of the ranks writes its piece of the fields
 };
 
 struct InfoOptions : SceneOptions {

@@ -93,6 +93,12 @@ void add_partition_option(CLI::App& command, pinball::Partition& partition) {
       ->check(check);
 }
 
+void add_pieces_option(CLI::App& command, bool& pieces) {
+  command.add_flag("--pieces", pieces,
+                   "each rank of mpirun writes its piece of the fields (.pvtu), into a folder that all of them see, in "
+                   "place of rank 0");
+}
+
 /// What `run`, `info`, `compare` and `converge` have in common.
 CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
   CLI::Option* scene = command
@@ -261,7 +267,10 @@ int run_program(int argc, char** argv, std::unique_ptr<pinball::Ranks>& ranks) {
   auto* run = app.add_subcommand("run", "run a scene");
   add_run_options(*run, options);
   pinball::Partition partition;
-  if (pinball::has_ranks()) add_partition_option(*run, partition);
+  if (pinball::has_ranks()) {
+    add_partition_option(*run, partition);
+    add_pieces_option(*run, options.pieces);
+  }
   pinball::InfoOptions asked;
   auto* info = app.add_subcommand("info", "what a scene or a mesh file holds, what will run, what is skipped");
   add_info_options(*info, asked);

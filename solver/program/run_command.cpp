@@ -74,6 +74,7 @@ RecordOptions record_options(const RunOptions& options, const std::string& out) 
   record.stop = stop_is_asked;
   record.threads = options.threads;
   record.ranks = options.ranks;
+  record.pieces = options.pieces;
   // Ranks of one machine would each take all its cores.
   if (record.ranks != nullptr && record.threads == 0 && std::getenv("OMP_NUM_THREADS") == nullptr) record.threads = 1;
   return record;

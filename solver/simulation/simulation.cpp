@@ -90,9 +90,16 @@ bool Simulation::run() {
   return complete();
 }
 
-void Simulation::follow_rank_0() {
+void Simulation::follow_rank_0(const RankAnswer& answer) {
   const ThreadCount threads(implementation_->threads());
-  implementation_->change([](auto& solver) { solver.follow_rank_0(); });
+  implementation_->change([&](auto& solver) {
+    solver.follow_rank_0([&](std::int64_t number) { return answer ? answer(*this, number) : std::string(); });
+  });
+}
+
+std::vector<std::string> Simulation::ask_ranks(std::int64_t number, const RankAnswer& answer) {
+  return implementation_->change(
+      [&](auto& solver) { return solver.ask_ranks(number, [&](std::int64_t n) { return answer(*this, n); }); });
 }
 
 void Simulation::on_step(StepCallback callback) {
@@ -157,6 +164,16 @@ std::uint64_t Simulation::state_hash() const {
 }
 FieldSnapshot Simulation::snapshot() const {
   return implementation_->read([](const auto& solver) { return pinball::snapshot(solver); });
+}
+
+FieldSnapshot Simulation::own_snapshot() const {
+  return implementation_->read([](const auto& solver) { return pinball::own_snapshot(solver); });
+}
+int Simulation::rank() const {
+  return implementation_->read([](const auto& solver) { return solver.rank(); });
+}
+std::vector<std::int32_t> Simulation::rank_of_elements() const {
+  return implementation_->read([](const auto& solver) { return solver.rank_of_elements(); });
 }
 
 void Simulation::persist(StateArchive& archive) {

@@ -39,7 +39,7 @@ std::vector<BodyResult> body_results(const Solver<S>& solver) {
 
 template <class S>
 std::vector<Point> contact_forces_on_nodes(const Solver<S>& solver) {
-  const Model<S>& model = solver.model();
+  const Model<S>& model = solver.layout();
   Array<Point> in_store(model.mesh.nodes.size());
   solver.contact()->add_node_forces({in_store.data(), in_store.size()});
   std::vector<Point> force(in_store.size());
@@ -88,16 +88,18 @@ void take_material_numbers(const Model<S>& model, FieldSnapshot& s) {
 template <class S>
 void put_rigid_positions(const Solver<S>& solver, std::vector<Point>& position) {
   if (!solver.rigid().any()) return;
-  const Model<S>& model = solver.model();
+  const Model<S>& model = solver.layout();
   std::vector<Point> in_store(position.size());
   for (std::size_t n = 0; n < position.size(); ++n) in_store[model.node_of_scene_node[n]] = position[n];
   solver.rigid().put_positions_of_forces(in_store);
   for (std::size_t n = 0; n < position.size(); ++n) position[n] = in_store[model.node_of_scene_node[n]];
 }
 
+namespace {
+
+/// model: the solver's, brought up to date.
 template <class S>
-FieldSnapshot snapshot(const Solver<S>& solver) {
-  const Model<S>& model = solver.model();
+FieldSnapshot snapshot_of(const Solver<S>& solver, const Model<S>& model) {
   FieldSnapshot s;
   s.step = solver.steps();
   s.time = solver.force_time();
@@ -139,6 +141,18 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
     }
   }
   return s;
+}
+
+}  // namespace
+
+template <class S>
+FieldSnapshot snapshot(const Solver<S>& solver) {
+  return snapshot_of(solver, solver.model());
+}
+
+template <class S>
+FieldSnapshot own_snapshot(const Solver<S>& solver) {
+  return snapshot_of(solver, solver.own_model());
 }
 
 template <class S>
@@ -295,6 +309,8 @@ template ProgressState progress_state(const Solver<double>&);
 template ProgressState progress_state(const Solver<float>&);
 template FieldSnapshot snapshot(const Solver<double>&);
 template FieldSnapshot snapshot(const Solver<float>&);
+template FieldSnapshot own_snapshot(const Solver<double>&);
+template FieldSnapshot own_snapshot(const Solver<float>&);
 template Energies reported_energies(const Solver<double>&);
 template Energies reported_energies(const Solver<float>&);
 template void fill_summary(const Solver<double>&, RunSummary&);

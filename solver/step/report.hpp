@@ -43,6 +43,9 @@ HistoryRow history_row(const Solver<S>& solver);
 /// All fields at force_time(), in the order of the scene.
 template <class S>
 FieldSnapshot snapshot(const Solver<S>& solver);
+/// The same of one of several ranks: of elements that are another's, and of their nodes, it may be old.
+template <class S>
+FieldSnapshot own_snapshot(const Solver<S>& solver);
 /// Fills everything but wall_seconds, which whoever calls step() measures.
 template <class S>
 void fill_summary(const Solver<S>& solver, RunSummary& summary);

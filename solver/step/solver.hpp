@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,8 +67,21 @@ class Solver {
   }
   /// Forces and energies at the present positions, velocities brought to the same time.
   void finish();
+  /// What each of several ranks does with its part of the state when rank 0 asks it to; it gets a number of rank 0, and
+  /// returns what that is to know.
+  using Answer = std::function<std::string(std::int64_t)>;
   /// Does what rank 0 does, until that has no more to do.
-  void follow_rank_0();
+  void follow_rank_0(const Answer& answer = {});
+  /// On rank 0: what all say, in the order of the ranks.
+  std::vector<std::string> ask_ranks(std::int64_t number, const Answer& answer) { return domain_->ask(number, answer); }
+  /// Of which rank each element of the scene is; empty: this process is alone.
+  std::vector<std::int32_t> rank_of_elements() const;
+  int rank() const { return domain_ ? domain_->rank() : 0; }
+  /// The model as far as this rank works it; what is another's may be old.
+  const Model<S>& own_model() const {
+    if (domain_) domain_->bring_own();
+    return model_;
+  }
   /// Whether time.end or time.steps of the scene is reached; then finish() is due.
   bool at_end() const { return clock_.at_end(schedule_.cycle_steps()); }
 

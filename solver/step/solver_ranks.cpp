@@ -5,7 +5,7 @@
 namespace pinball {
 
 template <class S>
-void Solver<S>::follow_rank_0() {
+void Solver<S>::follow_rank_0(const Answer& answer) {
   for (;;) {
     switch (domain_->next_order()) {
       case RankOrder::step:
@@ -18,10 +18,21 @@ void Solver<S>::follow_rank_0() {
       case RankOrder::state:
         domain_->send_state(model_);
         break;
+      case RankOrder::answer:
+        domain_->ask(0, answer);
+        break;
       case RankOrder::end:
         return;
     }
   }
+}
+
+template <class S>
+std::vector<std::int32_t> Solver<S>::rank_of_elements() const {
+  std::vector<std::int32_t> ranks;
+  if (!domain_) return ranks;
+  for (const std::int64_t slot : model_.slot_of_element) ranks.push_back(domain_->rank_of_slot(slot));
+  return ranks;
 }
 
 /// What contact, ties, equations and rigid bodies read and move, each on all ranks, or beside a device.
@@ -62,8 +73,10 @@ void Solver<S>::advance(bool last) {
   domain_->end_cycle();
 }
 
-template void Solver<double>::follow_rank_0();
-template void Solver<float>::follow_rank_0();
+template void Solver<double>::follow_rank_0(const Answer&);
+template void Solver<float>::follow_rank_0(const Answer&);
+template std::vector<std::int32_t> Solver<double>::rank_of_elements() const;
+template std::vector<std::int32_t> Solver<float>::rank_of_elements() const;
 template void Solver<double>::choose_common_nodes();
 template void Solver<float>::choose_common_nodes();
 template void Solver<double>::follow_constraints();

@@ -9,11 +9,17 @@ import itertools
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
 import sys
 import time
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "python"))
+from view.fields import read_pvd, read_vtu  # noqa: E402
 
 PROGRAM, ALONE, FOLDER = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
 # Of this machine alone, whatever a batch system has left in the environment; root may, in a container.
@@ -216,6 +222,67 @@ def commands_of_one():
         assert status == 2 and len(messages) == 1 and expected in messages[0], (words, errors)
 
 
+def pieces_of_fields():
+    """Each rank writes its own of the fields: the numbers of the files that one process writes, for every reader."""
+    words = [*SCENES["rod_plate_faces"], "--set", "output.field_times=[0.0,2e-6,4e-6]"]
+    run_alone(FOLDER / "pieces" / "alone", *words)
+    whole = read_pvd(str(FOLDER / "pieces" / "alone" / "fields.pvd"))
+    assert len(whole) >= 2, whole
+    for ranks, more in (2, []), (3, ["--partition", "random:7"]), (3, ["--device", "mock"]):
+        alone = FOLDER / "pieces" / "alone"
+        if more[:1] == ["--device"]:
+            alone = FOLDER / "pieces" / "on_device"
+            run_alone(alone, *words, *more)
+            whole = read_pvd(str(alone / "fields.pvd"))
+        folder = FOLDER / "pieces" / f"{ranks}_{len(more) and more[0][2:]}"
+        run_on(ranks, folder, *words, *more, "--pieces")
+        expect_same(folder, alone)
+        pieces = read_pvd(str(folder / "fields.pvd"))
+        assert [time for time, _ in pieces] == [time for time, _ in whole]
+        for (_, one), (_, other) in zip(whole, pieces):
+            assert other.endswith(".pvtu"), other
+            same_meshes(read_vtu(one), read_vtu(other))
+            same_for_paraview(one, other)
+        surface = lambda page: re.search(r'id="surface"[^>]*>([^<]*)<', page.read_text()).group(1)
+        assert surface(folder / "index.html") == surface(alone / "index.html") != "", "the surface of the page"
+    run_on(2, folder, *words, "--device", "mock")
+    assert not list(folder.glob("*.pvtu")) and len(list(folder.glob("*.vtu"))) == len(whole), "pieces of the run before"
+
+
+def same_meshes(one, other):
+    assert other.names == one.names != [] and other.units == one.units and other.components == one.components
+    for kind in "point_data", "cell_data":
+        assert getattr(other, kind).keys() == getattr(one, kind).keys()
+        for name, values in getattr(one, kind).items():
+            assert np.array_equal(getattr(other, kind)[name], values), name
+    assert np.array_equal(other.points, one.points) and np.array_equal(other.hexahedra, one.hexahedra)
+
+
+def same_for_paraview(one, other):
+    """Cells and values that VTK, and so ParaView, reads of both."""
+    try:
+        import vtkmodules.all as vtk
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+    except ModuleNotFoundError:
+        return
+    grids = []
+    for reader, path in (vtk.vtkXMLUnstructuredGridReader(), one), (vtk.vtkXMLPUnstructuredGridReader(), other):
+        reader.SetFileName(path)
+        reader.Update()
+        grids.append(reader.GetOutput())
+    whole, pieces = grids
+    assert pieces.GetNumberOfCells() == whole.GetNumberOfCells() > 0
+    for data in "GetPointData", "GetCellData":
+        places = vtk_to_numpy(getattr(pieces, data)().GetGlobalIds())
+        assert set(places) == set(range(max(places) + 1))
+        for a in range(getattr(whole, data)().GetNumberOfArrays()):
+            expected = getattr(whole, data)().GetArray(a)
+            found = vtk_to_numpy(getattr(pieces, data)().GetArray(expected.GetName()))
+            assert np.array_equal(found, vtk_to_numpy(expected)[places]), expected.GetName()
+    places = vtk_to_numpy(pieces.GetPointData().GetGlobalIds())
+    assert np.array_equal(vtk_to_numpy(pieces.GetPoints().GetData()), vtk_to_numpy(whole.GetPoints().GetData())[places])
+
+
 def unlike_programs():
     other = FOLDER / "other"
     shutil.copy(PROGRAM, other)
@@ -266,7 +333,7 @@ def main():
         every_input(pathlib.Path(sys.argv[4]))
         return 0
     for check in (same_results, a_device_each, tetrahedra_of_a_deck, partition_by_metis, checkpoint_of_three_on_others, errors,
-                  commands_of_one, unlike_programs, killed_rank):
+                  commands_of_one, pieces_of_fields, unlike_programs, killed_rank):
         check()
         print(check.__name__, "as expected", flush=True)
     return 0

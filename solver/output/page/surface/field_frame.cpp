@@ -86,6 +86,10 @@ std::string_view xml_attribute(std::string_view text, std::string_view name) {
 }
 
 FieldFrame FieldFrame::of_file(const std::string& path) {
+  return path.ends_with(".pvtu") ? of_pieces(path) : of_one_file(path);
+}
+
+FieldFrame FieldFrame::of_one_file(const std::string& path) {
   const InputFile file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) throw_unreadable(path);
   const std::string head = head_of(file.get(), path);
@@ -94,7 +98,7 @@ FieldFrame FieldFrame::of_file(const std::string& path) {
   for (std::size_t at = head.find('<'); at != std::string::npos; at = head.find('<', at + 1)) {
     const std::string_view tag = std::string_view(head).substr(at + 1, head.find('>', at) - at - 1);
     for (const char* name : {"FieldData", "PointData", "CellData", "Points", "Cells"}) {
-      if (tag == name) section = name;
+      if (tag == name || tag.starts_with(std::string(name) + ' ')) section = name;
     }
     if (!tag.starts_with("DataArray ")) continue;
     const std::uint64_t begin = head.size() + whole_number(xml_attribute(tag, "offset"), 0);

@@ -26,8 +26,8 @@ class FieldFrame {
     std::function<void(char* to)> read;  ///< all its bytes
   };
 
-  /// Of a file that FieldWriter has written; numbers are read from it when they are asked for. Throws RunError that
-  /// names the file.
+  /// Of a file that FieldWriter has written, or of all pieces that one lists; numbers are read from it when they are
+  /// asked for. Throws RunError that names the file.
   static FieldFrame of_file(const std::string& path);
   /// Refers to both.
   static FieldFrame of_snapshot(const FieldSnapshot& snapshot, const FieldBase& base);
@@ -40,6 +40,8 @@ class FieldFrame {
   std::vector<T> read(std::string_view name) const;
 
  private:
+  static FieldFrame of_one_file(const std::string& path);
+  static FieldFrame of_pieces(const std::string& path);
   const Array* find(std::string_view name) const;
 
   std::vector<Array> arrays_;
