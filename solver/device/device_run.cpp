@@ -72,7 +72,6 @@ DeviceRun<S>::DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>&
   }
   step_ = make_step(device_, mesh);
   common_ = std::make_unique<CommonMirror<S>>(*step_, model.nodes);
-  state_ = layout_.state(model);
   if (domain != nullptr) share_with_ranks();
 }
 
@@ -111,8 +110,7 @@ void DeviceRun<S>::show_whole_state() {
   send_state();
   if (domain_ == nullptr || has_whole_state_) return;
   bring_back();
-  state_ = layout_.state(model_);
-  step_->write(state_);
+  step_->write(layout_.state(model_));
   has_whole_state_ = true;
 }
 
@@ -123,8 +121,7 @@ void DeviceRun<S>::send_state() {
   host_is_newer_ = false;
   has_whole_state_ = true;
   asks_what_rests_ = true;
-  state_ = layout_.state(model_);
-  step_->write(state_);
+  step_->write(layout_.state(model_));
   take_masses();
   common_->equal_motion();
   any_eroded_ = std::ranges::any_of(model_.slot_of_element, [this](auto slot) { return !model_.elements.alive(slot); });
@@ -327,7 +324,7 @@ void DeviceRun<S>::show_watched(std::span<const std::int32_t> nodes, std::span<c
 
 template <class S>
 std::size_t DeviceRun<S>::bytes() const {
-  return step_->bytes() + state_.bytes() + common_->bytes();
+  return step_->bytes() + common_->bytes();
 }
 
 template class DeviceRun<double>;

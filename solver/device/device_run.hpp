@@ -92,7 +92,6 @@ class DeviceRun final : public StepSpace<S> {
   std::optional<DeviceRanks<S>> ranks_;  ///< only with domain_
   std::unique_ptr<DeviceStep<S>> step_;
   std::unique_ptr<CommonMirror<S>> common_;
-  DeviceState<S> state_;  ///< what crosses over, in the device's layout
   bool host_is_newer_ = true, device_is_newer_ = false;
   bool asks_what_rests_ = true;        ///< others may rest than the device knows of
   bool knows_resting_ = false;         ///< the device, which tiles rest

@@ -21,8 +21,9 @@ template <class S>
 void DeviceRun<S>::bring_own() {
   if (!device_is_newer_) return;
   common_->give(NodeNumbers::none);
-  step_->read(state_);
-  layout_.to_model(state_, model_);
+  DeviceState<S> state;  // as large as the state itself: not kept between
+  step_->read(state);
+  layout_.to_model(state, model_);
   if (domain_ != nullptr) domain_->take_out_eroded(model_);
   common_->equal_motion();
   device_is_newer_ = false;

@@ -28,7 +28,7 @@ class DeviceStep {
   virtual ~DeviceStep() = default;
 
   virtual void write(const DeviceState<S>& state) = 0;  ///< from the host
-  virtual void read(DeviceState<S>& state) const = 0;   ///< to the host
+  virtual void read(DeviceState<S>& state) const = 0;   ///< to the host, whose arrays get their sizes
 
   /// Stresses and corner forces of the elements after a step. Tiles at rest are left out.
   virtual ElementTotals<S> update_elements(const ElementStep<S>& step) = 0;

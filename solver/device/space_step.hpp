@@ -96,7 +96,10 @@ class SpaceStep final : public DeviceStep<S> {
     eroded_.begin(state_.mass);
   }
   void read(DeviceState<S>& state) const override {
-    state.with(state_, [](auto& theirs, const auto& mine) { deep_copy(theirs, mine); });
+    state.with(state_, [](auto& theirs, const auto& mine) {
+      if (theirs.size() != mine.size()) theirs.renew(mine.size());
+      deep_copy(theirs, mine);
+    });
   }
 
   ElementTotals<S> update_elements(const ElementStep<S>& step) override { return update_parts(step, nullptr); }
