@@ -74,15 +74,22 @@ function(pinball_objects target)
   endif()
 endfunction()
 
-# Two translation units for each room of these sources, one of its folder and one of all folders in that, and one for each
-# folder of contact and of a format: most sources take longer to read what they include than to compile. With
-# PINBALL_CONTRACT what the compiler fuses depends on what it sees together, so that a build with PINBALL_UNITY=OFF may have
-# other last digits. A source with flags of its own is compiled by itself.
+# Two translation units for each room of these sources, one of its folder and one of all folders in that; one for each
+# folder of contact, each format of decks, and all formats of meshes; one of what contact has beside its loops, with the
+# base: most sources take longer to read what they include than to compile. With PINBALL_CONTRACT what the compiler fuses
+# depends on what it sees together, so that a build with PINBALL_UNITY=OFF may have other last digits. A source with flags
+# of its own is compiled by itself.
 function(pinball_unite_rooms)
   foreach(source IN LISTS ARGN)
     file(RELATIVE_PATH source_in_room ${CMAKE_CURRENT_SOURCE_DIR} ${source})
-    if(source_in_room MATCHES "^(contact|formats)/(.+)/")
-      string(REPLACE "/" "_" unit ${CMAKE_MATCH_1}_${CMAKE_MATCH_2})
+    if(source_in_room MATCHES "^(base|contact|contact/algorithm|contact/surface)/[^/]+$")
+      set(unit contact)
+    elseif(source_in_room MATCHES "^contact/([^/]+)/")
+      set(unit contact_${CMAKE_MATCH_1})
+    elseif(source_in_room MATCHES "^formats/(abaqus|lsdyna|radioss)/")
+      set(unit formats_${CMAKE_MATCH_1})
+    elseif(source_in_room MATCHES "^formats/")
+      set(unit formats)
     else()
       string(REGEX REPLACE "^([^/]+)/.*" "\\1" unit ${source_in_room})
       if(source_in_room MATCHES "/.*/")

@@ -22,7 +22,7 @@ const std::vector<std::string> vtk_part_arrays{"part",        "part_id",   "part
 
 namespace {
 
-constexpr int vertex = 1, line = 3, triangle = 5, pixel = 8, quadrangle = 9, line_3 = 21, triangle_6 = 22;
+constexpr int vertex = 1, line_2 = 3, triangle = 5, pixel = 8, quadrangle = 9, line_3 = 21, triangle_6 = 22;
 /// An array with more values than this numbers something else than sets.
 constexpr std::size_t most_sets = 1000;
 
@@ -50,7 +50,7 @@ bool is_of_lower_dimension(int type) {
 /// Of a cell without a volume; 0: it is not known.
 std::size_t points_of_boundary(int type) {
   return type == vertex                        ? 1
-         : type == line                        ? 2
+         : type == line_2                      ? 2
          : type == triangle || type == line_3  ? 3
          : type == pixel || type == quadrangle ? 4
          : type == triangle_6                  ? 6

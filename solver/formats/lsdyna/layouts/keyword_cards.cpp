@@ -14,7 +14,7 @@ namespace {
 using Lines = std::vector<const CardLayout*>;
 using Table = std::vector<KeywordCards>;
 
-constexpr const CardLayout *title = nullptr, *file = nullptr;
+constexpr const CardLayout *title_line = nullptr, *file_line = nullptr;
 
 void add_mesh(Table& table) {
   namespace l = layout;
@@ -24,10 +24,10 @@ void add_mesh(Table& table) {
   table.push_back({"ELEMENT_SHELL", "", {&l::shell}});
   table.push_back({"ELEMENT_MASS", "", {&l::node_mass}});
   table.push_back({"ELEMENT_MASS_NODE_SET", "", {&l::node_set_mass}});
-  table.push_back({"PART", "", {title, &l::part}});
-  table.push_back({"PART_CONTACT", "", {title, &l::part, &l::part_contact}});
+  table.push_back({"PART", "", {title_line, &l::part}});
+  table.push_back({"PART_CONTACT", "", {title_line, &l::part, &l::part_contact}});
   for (const bool in_system : {false, true}) {
-    Lines lines{title, &l::part, &l::part_inertia, &l::part_moments, &l::part_velocity};
+    Lines lines{title_line, &l::part, &l::part_inertia, &l::part_moments, &l::part_velocity};
     if (in_system) lines.push_back(&l::part_system);
     table.push_back({"PART_INERTIA", in_system ? "IRCS 1" : "IRCS 0", lines});
   }
@@ -36,7 +36,7 @@ void add_mesh(Table& table) {
   table.push_back({"HOURGLASS", "", {&l::hourglass}});
   table.push_back({"INCLUDE_TRANSFORM",
                    "",
-                   {file, &l::include_offsets, &l::include_other, &l::include_units, &l::include_transformation}});
+                   {file_line, &l::include_offsets, &l::include_other, &l::include_units, &l::include_transformation}});
   for (const char* kind : {"SET_NODE", "SET_SOLID"}) {
     const auto set = [&](const char* form, const CardLayout& line) {
       table.push_back({std::string(kind) + form, "", {&l::set_head, &line}});
