@@ -70,7 +70,7 @@ double deflection_ratio(const Scene& cantilever, const Beam& beam, double* balan
     sum += position_of(solver, n)[1] - start[1];
     ++count;
   }
-  return sum / count / timoshenko_deflection(mesh.size, beam.poisson_ratio, scene.loads[0].force[1]);
+  return sum / count / timoshenko_deflection(mesh.size, beam.poisson_ratio, scene.loads.at(0).force[1]);
 }
 
 }  // namespace

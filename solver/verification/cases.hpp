@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include <solver/scene.hpp>
@@ -8,6 +10,9 @@
 
 /// The cases, one function per scene.
 namespace pinball {
+
+/// Place in scene.bodies; throws InputError where there is no body of that name.
+std::size_t number_of_body(const Scene& scene, const std::string& name);
 
 std::vector<VerificationRow> verify_block(const Scene& scene);
 std::vector<VerificationRow> verify_cantilever(const Scene& scene);

@@ -43,7 +43,7 @@ class ShearAnswer {
     if (material_.yield_curves.empty()) {
       return material_.yield_stress + material_.isotropic_share * material_.plastic_modulus * e;
     }
-    const YieldCurve& c = material_.yield_curves[0];
+    const YieldCurve& c = material_.yield_curves.at(0);
     std::size_t k = 1;
     while (k + 1 < c.plastic_strain.size() && c.plastic_strain[k] < e) ++k;
     const double slope = (c.stress[k] - c.stress[k - 1]) / (c.plastic_strain[k] - c.plastic_strain[k - 1]);

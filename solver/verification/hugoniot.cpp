@@ -41,9 +41,9 @@ Scene struck_by(const Scene& scene, const Metal& metal, double speed, double end
   Material& m = column.materials[0];
   m.density = metal.density;
   m.shear_modulus = metal.shear_modulus;
-  m.equation_of_state->sound_speed = metal.sound_speed;
-  m.equation_of_state->slopes = metal.slopes;
-  m.equation_of_state->gamma = metal.gamma;
+  m.equation_of_state.value().sound_speed = metal.sound_speed;
+  m.equation_of_state.value().slopes = metal.slopes;
+  m.equation_of_state.value().gamma = metal.gamma;
   column.bodies[0].velocity = {0, 0, -speed};
   column.time.end = end;
   column.probes.clear();
@@ -88,7 +88,7 @@ struct Table {
 
 Scene struck_by(const Scene& scene, const Table& table, double speed, double end) {
   Scene column = struck_by(scene, metals[0], speed, end);
-  EquationOfStateSettings& eos = *column.materials[0].equation_of_state;
+  EquationOfStateSettings& eos = column.materials[0].equation_of_state.value();
   eos = {};
   eos.form = EquationOfStateForm::tabulated;
   for (const double strain : {0.1, 0.0, -0.05, -0.5}) {

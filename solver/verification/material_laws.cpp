@@ -85,7 +85,7 @@ struct JohnsonCookShear {
 
   JohnsonCookShear(const Material& m, double end, double rate) {
     constexpr int pieces = 20'000;
-    const JohnsonCookSettings& law = *m.johnson_cook;
+    const JohnsonCookSettings& law = m.johnson_cook.value();
     const double factor = 1 + law.rate_coefficient * std::log(std::max(1.0, rate / law.reference_rate));
     const double range = law.melting_temperature - law.room_temperature;
     double plastic = 0;
@@ -111,7 +111,7 @@ struct JohnsonCookShear {
 /// Yield stress after Johnson and Holmquist at the logarithmic strain -k along z, at one rate, where nothing or all is
 /// broken, without bulking.
 double brittle_strength(const Material& m, double k, double speed, bool broken) {
-  const JohnsonHolmquistSettings& law = *m.johnson_holmquist;
+  const JohnsonHolmquistSettings& law = m.johnson_holmquist.value();
   const double mu = std::expm1(k);
   const double over =
       mu * (m.bulk_modulus + mu * (law.quadratic_modulus + mu * law.cubic_modulus)) / law.elastic_limit_pressure;
@@ -145,20 +145,17 @@ struct FoamPressed {
   }
 };
 
-/// Bodies of the scene by their names, which have an element each and a material of the same name.
+/// Bodies of the scene by their names, which have an element each.
 class Bodies {
  public:
-  explicit Bodies(const Scene& scene) : scene_(scene) {}
+  explicit Bodies(const Scene& scene) : scene_(scene), materials_(material_of_bodies(scene)) {}
 
-  std::size_t number(const std::string& name) const {
-    std::size_t i = 0;
-    while (scene_.bodies[i].name != name) ++i;
-    return i;
-  }
-  const Material& material(const std::string& name) const { return scene_.materials[number(name)]; }
+  std::size_t number(const std::string& name) const { return number_of_body(scene_, name); }
+  const Material& material(const std::string& body) const { return scene_.materials[materials_[number(body)]]; }
 
  private:
   const Scene& scene_;
+  std::vector<std::size_t> materials_;
 };
 
 /// The logarithmic strain at which each limit is met.
@@ -169,9 +166,9 @@ std::vector<std::pair<std::string, double>> failures(const Bodies& bodies, doubl
     return root(largest_strain, [&](double k) { return over(ElasticShear(of(name), k)); });
   };
   const Material &strain = of("plastic_strain"), &damage = of("damage");
-  const std::vector<double>& d = damage.johnson_cook->failure;
-  const double rate = to_effective * speed / damage.johnson_cook->reference_rate;
-  const double ductility = (d[0] + d[1]) * (1 + d[3] * std::log(rate));  // without a mean stress
+  const std::vector<double>& d = damage.johnson_cook.value().failure;
+  const double rate = to_effective * speed / damage.johnson_cook.value().reference_rate;
+  const double ductility = (d.at(0) + d.at(1)) * (1 + d.at(3) * std::log(rate));  // without a mean stress
   const auto with_elastic = [&](double plastic, const Material& m) {
     return (plastic + m.yield_stress / (3 * m.shear_modulus)) / to_effective;
   };
@@ -179,23 +176,27 @@ std::vector<std::pair<std::string, double>> failures(const Bodies& bodies, doubl
   return {
       {"plastic_strain", with_elastic(strain.erosion_strain, strain)},
       {"damage", with_elastic(ductility, damage)},
-      {"principal_strain", of("principal_strain").erosion->principal_strain},
-      {"shear_strain", of("shear_strain").erosion->shear_strain},
-      {"principal_stress",
-       elastic_root("principal_stress",
-                    [&](const ElasticShear& s) { return s.xx - of("principal_stress").erosion->principal_stress; })},
+      {"principal_strain", of("principal_strain").erosion.value().principal_strain},
+      {"shear_strain", of("shear_strain").erosion.value().shear_strain},
+      {"principal_stress", elastic_root("principal_stress",
+                                        [&](const ElasticShear& s) {
+                                          return s.xx - of("principal_stress").erosion.value().principal_stress;
+                                        })},
       {"effective_stress", elastic_root("effective_stress",
                                         [&](const ElasticShear& s) {
-                                          return s.effective() - of("effective_stress").erosion->effective_stress;
+                                          return s.effective() -
+                                                 of("effective_stress").erosion.value().effective_stress;
                                         })},
       {"tension",
-       elastic_root("tension", [&](const ElasticShear& s) { return s.mean() - of("tension").erosion->tension; })},
-      {"time", of("time").erosion->time * speed},
+       elastic_root("tension",
+                    [&](const ElasticShear& s) { return s.mean() - of("tension").erosion.value().tension; })},
+      {"time", of("time").erosion.value().time * speed},
       {"compression",
-       root(largest_strain, [&](double k) { return elastic_pressure(pressed, k) - pressed.erosion->compression; })},
+       root(largest_strain,
+            [&](double k) { return elastic_pressure(pressed, k) - pressed.erosion.value().compression; })},
       {"smallest_step",
        root(largest_strain,
-            [&](double k) { return stable_rate(flat, element_edge, k) - 2 / flat.erosion->smallest_step; })},
+            [&](double k) { return stable_rate(flat, element_edge, k) - 2 / flat.erosion.value().smallest_step; })},
   };
 }
 
@@ -221,23 +222,23 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
   };
   const std::array<double, 6> of_soil = stress_of(solver, bodies.number("soil"));
   const Material& soil = bodies.material("soil");
-  const double crushed = pressure_on_curve(*soil.equation_of_state, k);
-  const DruckerPragerSettings& sand = *soil.drucker_prager;
+  const double crushed = pressure_on_curve(soil.equation_of_state.value(), k);
+  const DruckerPragerSettings& sand = soil.drucker_prager.value();
   const std::array<double, 6> of_foam = stress_of(solver, bodies.number("foam"));
-  const FoamPressed foam(*bodies.material("foam").crushable_foam, k);
+  const FoamPressed foam(bodies.material("foam").crushable_foam.value(), k);
   const Material &power = bodies.material("power"), &rubber = bodies.material("mooney_rivlin"),
                  &fluid = bodies.material("fluid"), &copper = bodies.material("johnson_cook");
-  const PowerHardeningSettings& law = *power.power_hardening;
+  const PowerHardeningSettings& law = power.power_hardening.value();
   const double begin = std::pow(power.yield_stress / law.coefficient, 1 / law.exponent), strain = to_effective * k;
   const double plastic = root(strain, [&](double e) {
     return law.coefficient * std::pow(begin + e, law.exponent) - 3 * power.shear_modulus * (strain - e);
   });
   // sigma = 2/J (p I + (A + B tr b - 2 B) b - B b^2) where J = 1
   const double a = std::exp(2 * k), b = 1 / a, trace = a + b + 1;
-  const MooneyRivlinSettings& mooney = *rubber.mooney_rivlin;
+  const MooneyRivlinSettings& mooney = rubber.mooney_rivlin.value();
   const double drawn = 2 * ((mooney.a + mooney.b * trace) * (a - b) - mooney.b * (a * a - b * b));
   const JohnsonCookShear heated(copper, strain, to_effective * speed);
-  const JohnsonCookSettings& jc = *copper.johnson_cook;
+  const JohnsonCookSettings& jc = copper.johnson_cook.value();
   const double of_heat = heated.stress * to_effective * step /
                          (copper.density * jc.specific_heat * (jc.melting_temperature - jc.room_temperature));
   const double slope = jc.softening_exponent * std::pow(heated.homologous, jc.softening_exponent - 1) /
@@ -249,10 +250,10 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
       row("johnson_cook", to_effective * heated.stress, of_increments + slope * of_heat,
           "3 G (E - e) = Y(e, T), rho c dT = Y de in 20,000 pieces"),
       row("mooney_rivlin", drawn, 1e-11, "closed form in the deformation gradient"),
-      row("ogden", drawn_by_powers(*bodies.material("ogden").ogden, k), 1e-11, "closed form in the stretches"),
-      row("ogden_foam", drawn_by_powers(*bodies.material("ogden_foam").ogden, k), 1e-11,
+      row("ogden", drawn_by_powers(bodies.material("ogden").ogden.value(), k), 1e-11, "closed form in the stretches"),
+      row("ogden_foam", drawn_by_powers(bodies.material("ogden_foam").ogden.value(), k), 1e-11,
           "closed form in the stretches"),
-      row("orthotropic", orthotropic_shear(*bodies.material("orthotropic").orthotropic, k), 1e-11,
+      row("orthotropic", orthotropic_shear(bodies.material("orthotropic").orthotropic.value(), k), 1e-11,
           "F (C : E) F^T, by the compliance"),
       brittle("brittle_intact", false),
       brittle("brittle_fragments", true),
@@ -263,7 +264,7 @@ std::vector<VerificationRow> rows_of_laws(const Solver<double>& solver, const Bo
                "sqrt(3 (a0 + a1 p + a2 p^2)) at that pressure"),
       compared("foam", of_foam[0] - of_foam[2], foam.yield, 1e-11, "its curve of compaction"),
       compare("stress across at the end [Pa], foam", of_foam[0], -foam.air, 1e-11, "P_0 x/(1 - phi - x) of its air"),
-      row("fluid", 4 * fluid.fluid->viscosity * speed, of_increments, "2 eta D"),
+      row("fluid", 4 * fluid.fluid.value().viscosity * speed, of_increments, "2 eta D"),
   };
 }
 

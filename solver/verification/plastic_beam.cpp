@@ -30,7 +30,7 @@ LimitLoad limit_load(const Scene& cantilever, int layers, HourglassControl hourg
   const std::size_t end =
       std::find_if(nodes.begin(), nodes.end(), [&](const Point& p) { return p[0] > mesh.size[0] * (1 - 1e-9); }) -
       nodes.begin();
-  const PrescribedVelocity& moved = scene.prescribed_velocities[0];
+  const PrescribedVelocity& moved = scene.prescribed_velocities.at(0);
   const double start = nodes[end][1], last = moved.velocity[1] * (scene.time.end - 0.5 * moved.table.times.back());
   LimitLoad load{};
   double way = 0, work = 0, least = 0, largest = 0;

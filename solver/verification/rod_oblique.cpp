@@ -25,7 +25,7 @@ Outcome run_rod(const Scene& scene) {
   const Point after = solver.momentum();
   const double scale = std::hypot(before[0], before[2]);
   result.momentum_drift = std::max(std::abs(after[0] - before[0]), std::abs(after[2] - before[2])) / scale;
-  const BodyResult rod = history_row(solver).bodies[0];
+  const BodyResult rod = history_row(solver).bodies[number_of_body(scene, "rod")];
   result.mass_left = rod.mass_remaining / rod.mass_initial;
   return result;
 }

@@ -79,7 +79,7 @@ std::vector<VerificationRow> verify_taylor_bar(const Scene& scene) {
   const std::string spread = "published 3.0 to 3.4, depends on the mesh";
   rows.push_back(compare("largest plastic strain", summary.bodies[0].max_plastic_strain, 3.2, 0.2 / 3.2, spread));
   const double given = summary.bodies[0].mass_initial * -scene.bodies[0].velocity[2] + solver.momentum()[2];
-  rows.push_back(compare("impulse of the wall [g m/s]", summary.walls[0].impulse, given, 1e-10, "conservation"));
+  rows.push_back(compare("impulse of the wall [g m/s]", summary.walls.at(0).impulse, given, 1e-10, "conservation"));
   // Work of nodal forces against that of stresses: second order in the strain of a step, 1e-2 in the foot.
   rows.push_back(
       compare_with_zero("largest error of the energy balance", summary.balance_error_max, 1e-3, "conservation"));
@@ -92,8 +92,8 @@ std::vector<VerificationRow> verify_taylor_bar(const Scene& scene) {
   Scene held = scene;
   held.rigid_walls.clear();
   FixedConstraint foot;
-  foot.nodes.plane = scene.rigid_walls[0].plane;
-  foot.directions = {scene.rigid_walls[0].plane.normal};
+  foot.nodes.plane = scene.rigid_walls.at(0).plane;
+  foot.directions = {scene.rigid_walls.at(0).plane.normal};
   held.fixed_constraints = {foot};
   Solver<double> held_solver(held);
   const BarHistory held_bar = run_bar(held_solver, mesh.radius, mesh.length);

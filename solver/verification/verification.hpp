@@ -34,11 +34,19 @@ VerificationRow compare_with_zero(const std::string& quantity, double value, dou
 struct VerificationCase {
   std::string scene;
   std::vector<VerificationRow> (*run)(const Scene& scene);
+  /// Names, in the order in which `run` knows the bodies and materials by their numbers. Others come after them; empty
+  /// where it looks for each by its name.
+  std::vector<std::string> bodies = {};
+  std::vector<std::string> materials = {};
 };
 
 const std::vector<VerificationCase>& verification_cases();
 
 /// Runs one case on a device; a run that fails becomes a row that does not pass.
 std::vector<VerificationRow> verify_scene(const VerificationCase& verification, Device device = Device::none);
+
+/// The rows of a case for its scene as somebody has edited it: in whatever order. Throws InputError where it lacks what
+/// the case compares.
+std::vector<VerificationRow> compare_scene(const VerificationCase& verification, Scene scene);
 
 }  // namespace pinball
