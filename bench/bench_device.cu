@@ -154,7 +154,7 @@ Block<S> make_block(int n, const ElementFeatures& features) {
 
   block.state.stress = Array<S>(6 * mesh.places);
   if (features.plastic) block.state.plastic_strain = Array<S>(mesh.places);
-  if (keeps_hourglass_state(features.hourglass)) block.state.hourglass_state = Array<S>(12 * mesh.places);
+  if (stores_hourglass_modes(features.hourglass)) block.state.hourglass_state = Array<S>(12 * mesh.places);
   if (features.bulk_viscosity) block.state.viscous_stress = Array<S>(mesh.places);
   if (features.erosion) block.state.internal_energy = Array<S>(mesh.places);
   return block;
@@ -167,7 +167,7 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 /// Of an element and a step: all arrays once, the nodes' as if there were one for each element.
 template <class S>
 double bytes_of(const ElementFeatures& f) {
-  const double read_and_written = 6 + (f.plastic ? 1 : 0) + (keeps_hourglass_state(f.hourglass) ? 12 : 0) +
+  const double read_and_written = 6 + (f.plastic ? 1 : 0) + (stores_hourglass_modes(f.hourglass) ? 12 : 0) +
                                   (f.bulk_viscosity ? 1 : 0) + (f.erosion ? 1 : 0);
   const double element = sizeof(S) * (1 + 2 * read_and_written + 24) + 8 * 4 + sizeof(S) * 8;  // with x and v gathered
   const double node = sizeof(S) * (24 + 1 + 2 * 8) + 8 + 9 * 4;                                // with the sums

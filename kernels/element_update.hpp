@@ -107,7 +107,7 @@ PINBALL_KERNEL bool update_element_pack(const ElementView<ScalarOf<T>>& elements
   store_stress(stress, own);
   keep_largest(stable_rate, failure.carries, pack_in_tile, sums);
   T work = work_of_stresses(middle, motion, stress_old, stress);
-  hourglass.end(constants, density, end.area, dt, failure.fails, work, sums);
+  hourglass.end(constants, own, density, end.area, dt, failure.fails, work, sums);
   count_work<features>(own, work, failure, sums);
   viscosity.act(own, middle.volume, motion.volumetric, stress, sums);
   ahead(7);

@@ -38,6 +38,9 @@ enum class HourglassKind { none, viscous, stiffness, assumed_strain };
 PINBALL_FUNCTION constexpr bool keeps_hourglass_state(HourglassKind kind) {
   return kind == HourglassKind::stiffness || kind == HourglassKind::assumed_strain;
 }
+/// Whether twelve numbers of the modes are stored from step to step: that state, or the forces P_a of the viscous form,
+/// half of whose work is still to be counted.
+PINBALL_FUNCTION constexpr bool stores_hourglass_modes(HourglassKind kind) { return kind != HourglassKind::none; }
 
 template <class T>
 struct HourglassForce {

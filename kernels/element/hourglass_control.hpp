@@ -7,10 +7,12 @@
 #include "step_motion.hpp"
 
 /// Hourglass control of a pack over a step, in any form (hourglass.hpp): forms that keep a state begin elastically,
-/// yield with the stress, and store what is left; the viscous form has nothing but forces of the present rates.
+/// yield with the stress, and store what is left; the viscous form has forces of the present rates, and keeps them for
+/// their work alone.
 ///
-/// The work of kept forces is stored. What yield and erosion take of the store is plastic work, but for what they take
-/// of the work itself, which is that of the mean of old and new forces.
+/// Work is that of the mean of old and new forces over the step, as that of stresses is: what central differences take
+/// from motion. The work of kept forces is stored. What yield and erosion take of the store is plastic work, but for
+/// what they take of the work itself.
 namespace pinball {
 
 template <class T, ElementFeatures features>
@@ -80,15 +82,16 @@ class HourglassStep {
 
   /// Ends a step. Kept forms: what has gone from the store is work of the element. Viscous form: sets the forces, none
   /// where an element fails. density: at the end of the step; area: of EndGeometry; work: of the element's stresses.
-  PINBALL_FUNCTION void end(const ElementConstants<S>& constants, const T& density, const T& area, S dt,
-                            const MaskOf<T>& fails, T& work, ElementSums<T>& sums) {
+  template <int L>
+  PINBALL_FUNCTION void end(const ElementConstants<S>& constants, const ElementPack<T, L>& own, const T& density,
+                            const T& area, S dt, const MaskOf<T>& fails, T& work, ElementSums<T>& sums) {
     if constexpr (keeps) {
       if (any_lost) {
         sums.hourglass -= lost.stored;
         work += taken();
       }
     } else if constexpr (kind == HourglassKind::viscous) {
-      resist_rates(constants, density, area, dt, fails, sums);
+      resist_rates(constants, own, density, area, dt, fails, sums);
     }
   }
 
@@ -103,20 +106,27 @@ class HourglassStep {
     return own.numbers(own.arrays.hourglass_state, 12);
   }
 
-  PINBALL_FUNCTION void resist_rates(const ElementConstants<S>& constants, const T& density, const T& area, S dt,
-                                     const MaskOf<T>& fails, ElementSums<T>& sums) {
+  template <int L>
+  PINBALL_FUNCTION void resist_rates(const ElementConstants<S>& constants, const ElementPack<T, L>& own,
+                                     const T& density, const T& area, S dt, const MaskOf<T>& fails,
+                                     ElementSums<T>& sums) {
     // h are displacements of the step; before the first there are none.
     const S inverse_dt = dt > S(0) ? S(1) / dt : S(0);
     const T impedance = T(constants.hourglass.coefficient * constants.material.sound_speed * inverse_dt) * density;
     T factor = hourglass_viscosity(impedance, area);
     if constexpr (features.erosion) factor = select(fails, T(0), factor);
+    const ElementNumbers<T, L> kept_forces = state(own);
     T done(0);
     PINBALL_UNROLL
     for (int a = 0; a < 4; ++a) {
+      const Vec3<T> before{kept_forces.get(3 * a), kept_forces.get(3 * a + 1), kept_forces.get(3 * a + 2)};
       force.p[a] = factor * h_[a];
-      done += dot(force.p[a], h_[a]);
+      done += dot(before + force.p[a], h_[a]);
+      kept_forces.set(3 * a, force.p[a].x);
+      kept_forces.set(3 * a + 1, force.p[a].y);
+      kept_forces.set(3 * a + 2, force.p[a].z);
     }
-    sums.hourglass += T(8) * done;
+    sums.hourglass += T(4) * done;
   }
 
   Vec3<T> h_[4];  ///< displacements of the step [length]

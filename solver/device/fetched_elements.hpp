@@ -18,7 +18,7 @@ namespace pinball {
 template <class S, ElementFeatures features>
 class FetchedElements {
   static constexpr int block = sum_lanes;
-  static constexpr bool keeps_modes = keeps_hourglass_state(features.hourglass);
+  static constexpr bool keeps_modes = stores_hourglass_modes(features.hourglass);
 
  public:
   /// Numbers of a block's elements, in rows as in ElementView. What is needed first is there twice: for the elements at

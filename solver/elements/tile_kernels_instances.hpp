@@ -40,7 +40,7 @@ class PackAhead {
     const bool next_has_it = part == 1 || part == 2 || part == 5 || part == 6;
     if (!in_rows_ || !next_has_it) ask_for_nodes(elements_.corner + (pack_ * 8 + part) * W);
     if (part < 2) ask_for_state(elements_.stress, 6, 3 * part, 3);
-    if constexpr (keeps_hourglass_state(features.hourglass)) {
+    if constexpr (stores_hourglass_modes(features.hourglass)) {
       if (part >= 2 && part < 6) ask_for_state(elements_.hourglass_state, 12, 3 * (part - 2), 3);
     }
     if (part == 6) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include <solver/base/built_features.hpp>
 #include <solver/scene_rules.hpp>
 
 #include "material/material_held.hpp"
@@ -84,6 +85,10 @@ void average_volumes(ElementFeatures& f, WorkedShape shape) {
   f.hourglass = HourglassKind::none;
 }
 
+/// Elements without hourglass control have the kernels of the viscous form (elements/element_features.hpp), whose
+/// forces are zero then.
+bool stores_modes(const ElementFeatures& f) { return built::hourglass && !f.tetrahedra; }
+
 bool averages_volumes(const ElementPart& part) { return part.shape != WorkedShape::hexahedron; }
 
 /// Constants of a part, with the curves that they point to, which are put into `curves`.
@@ -135,7 +140,7 @@ ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
     stored.plastic |= f.plastic;
     stored.erosion |= f.erosion;
     stored.bulk_viscosity |= f.bulk_viscosity;
-    stored.hourglass_state |= keeps_hourglass_state(f.hourglass);
+    stored.hourglass_state |= stores_modes(f);
     stored.volume_ratio |= averages_volumes(part);
   }
   return stored;

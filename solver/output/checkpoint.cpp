@@ -25,7 +25,7 @@ namespace pinball {
 namespace {
 
 constexpr std::array<char, 8> magic{'P', 'I', 'N', 'B', 'A', 'L', 'L', '\n'};
-constexpr std::uint64_t format_version = 20;  ///< to be raised with every change of what is persistent
+constexpr std::uint64_t format_version = 21;  ///< to be raised with every change of what is persistent
 
 struct FileHeader {
   std::array<char, 8> magic{};

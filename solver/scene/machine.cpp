@@ -21,11 +21,11 @@ double memory_bytes() {
 }
 
 /// Peaks of memory of three steps of an elastic cube of 10^6 elements, in single and double precision: 268 and 373
-/// bytes per element with viscous hourglass forces, 316 and 472 with assumed strains, 458 and 634 with contact, too.
+/// bytes per element without numbers of hourglass modes, 316 and 472 with them, 458 and 634 with contact, too.
 /// What is assumed is a tenth less; of mixed precision what single precision takes.
 double least_bytes_of_element(const Scene& scene, const ElementSettings& element) {
   const double number = has_single_elements(scene.precision) ? sizeof(float) : sizeof(double);
-  const bool state = element.hourglass != HourglassControl::none && element.hourglass != HourglassControl::viscous;
+  const bool state = element.hourglass != HourglassControl::none;
   const ContactMethod method = scene.contact.method;
   const bool contact = method == ContactMethod::pinball || method == ContactMethod::slideline;
   const double measured = 163 + 26 * number + (state ? 12 * number : 0) + (contact ? 117 + 6 * number : 0);

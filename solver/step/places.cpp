@@ -13,8 +13,8 @@ namespace pinball {
 
 namespace {
 
-/// Square of what is kept of the hourglass modes, times the mass: in proportion to their energy where elements are
-/// alike.
+/// Square of what is kept of the hourglass modes, stresses or viscous forces, times the mass: in proportion to their
+/// energy where elements are alike.
 double kept_hourglass_energy(const ElementStore& elements, std::int64_t slot) {
   const int components = elements.hourglass_state.size() / elements.slots;
   double square = 0;
@@ -85,12 +85,13 @@ std::int64_t most_pushed_node(const Model<S>& model, const ContactAlgorithm<S>& 
 
 template <class S>
 std::int64_t most_hourglassed_slot(const Model<S>& model) {
+  const bool any_kept = std::any_of(model.parts.begin(), model.parts.end(),
+                                    [](const auto& part) { return keeps_hourglass_state(part.features.hourglass); });
   std::int64_t most = -1;
   double largest = 0;
   for (const std::int64_t slot : model.slot_of_element) {
     if (!model.elements.alive(slot)) continue;
-    const double energy = model.elements.hourglass_state.empty() ? moving_hourglass_energy(model, slot)
-                                                                 : kept_hourglass_energy(model.elements, slot);
+    const double energy = any_kept ? kept_hourglass_energy(model.elements, slot) : moving_hourglass_energy(model, slot);
     if (!(energy > largest)) continue;
     largest = energy;
     most = slot;

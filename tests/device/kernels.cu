@@ -187,7 +187,8 @@ __global__ void integrate_nodes(S* position, S* velocity, S* force, const S* inv
 template <class S>
 __global__ void prepare_moduli(const S* lame, AssumedStrainModuli<S>* moduli, S* hourglass) {
   const std::int64_t material = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
-  const bool kept = keeps_hourglass_state(static_cast<HourglassKind>(material % 4));
+  const auto kind = static_cast<HourglassKind>(material % 4);
+  const bool kept = keeps_hourglass_state(kind) && stores_hourglass_modes(kind);
   moduli[material] = assumed_strain_moduli(lame[2 * material], lame[2 * material + 1], S(1));
   hourglass[material] = kept ? hourglass_modulus(lame[2 * material], lame[2 * material + 1]) : lane_numbers<S>();
 }

@@ -11,7 +11,7 @@ namespace {
 using namespace test;
 
 /// Largest error of the energy balance of an impact, over the energy that is there.
-double balance_error(HourglassControl form, double cfl) {
+double balance_error(HourglassControl form) {
   Scene scene = scene_of(
       {block("lower", {3, 3, 3}, 0.1, {0, 0, 0}), block("upper", {2, 2, 2}, 0.1, {0.03, 0.05, 0.301}, {0, 0, -20})},
       2e-4);
@@ -19,7 +19,6 @@ double balance_error(HourglassControl form, double cfl) {
   scene.element.hourglass_coefficient = default_hourglass_coefficient(form);
   scene.contact.enforcement = Enforcement::lagrange;
   scene.contact.gap = ContactGap::face;
-  scene.time.cfl = cfl;
   Solver<double> solver(scene);
   double worst = 0;
   while (!solver.at_end()) {
@@ -30,19 +29,26 @@ double balance_error(HourglassControl form, double cfl) {
   return worst;
 }
 
-TEST(HourglassForms, ThatStoreEnergyBalanceItInAnImpact) {
-  for (const HourglassControl form : {HourglassControl::stiffness, HourglassControl::assumed_strain}) {
-    EXPECT_LT(balance_error(form, 0.9), 1e-4);
+TEST(HourglassForms, BalanceTheEnergyOfAnImpact) {
+  for (const HourglassControl form :
+       {HourglassControl::viscous, HourglassControl::stiffness, HourglassControl::assumed_strain}) {
+    EXPECT_LT(balance_error(form), 1e-4) << int(form);
   }
 }
 
-TEST(HourglassForms, ViscousForcesBalanceTheEnergyOfAnImpactAsStepsBecomeShort) {
-  const double whole = balance_error(HourglassControl::viscous, 0.9);
-  const double half = balance_error(HourglassControl::viscous, 0.45);
-  const double quarter = balance_error(HourglassControl::viscous, 0.225);
-  EXPECT_LT(whole, 0.015);  // their work lags by half a step, and they do not go into the stable step
-  EXPECT_LT(half, 0.5 * whole);
-  EXPECT_LT(quarter, 0.5 * half);
+/// Modes that turn round from step to step: what a viscous force takes is not that of the velocity before it alone.
+TEST(HourglassForms, BalanceTheEnergyOfModesThatAreNoise) {
+  for (const std::array<int, 3>& elements : {std::array{8, 1, 1}, std::array{6, 6, 1}, std::array{4, 4, 4}}) {
+    for (const HourglassControl form :
+         {HourglassControl::viscous, HourglassControl::stiffness, HourglassControl::assumed_strain}) {
+      Scene scene = scene_of({block("a", elements, 0.1, {0, 0, 0})}, 5e-4, false);
+      scene.bodies[0].velocity_noise = 10;
+      scene.element.hourglass = form;
+      scene.element.hourglass_coefficient = default_hourglass_coefficient(form);
+      Solver<double> solver(scene);
+      EXPECT_LT(worst_balance_of_run(solver), 1e-3) << int(form);
+    }
+  }
 }
 
 }  // namespace

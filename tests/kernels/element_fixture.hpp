@@ -276,7 +276,7 @@ inline void expect_equal(const ElementOutcome& found, const ElementOutcome& expe
       EXPECT_NEAR(a.viscous_stress, b.viscous_stress, 10 * tolerance);
     }
     for (std::size_t m = 0; m < 4; ++m) {
-      if (keeps_hourglass_state(compare.hourglass)) {
+      if (stores_hourglass_modes(compare.hourglass)) {
         EXPECT_VECTOR_NEAR(a.hourglass_state[m], b.hourglass_state[m], tolerance);
       }
     }

@@ -102,7 +102,7 @@ void print_element_features(const Model<S>& model) {
   if (store.plastic_strain.empty()) skip("plastic strain array", "no material is plastic, none is eroded");
   if (store.internal_energy.empty()) skip("energy per element", "no material is eroded");
   if (store.viscous_stress.empty()) skip("viscous stress array", "no bulk viscosity");
-  if (store.hourglass_state.empty()) skip("hourglass force array", "no hourglass control that keeps forces");
+  if (store.hourglass_state.empty()) skip("hourglass force array", "no hourglass control");
   if (const double bytes = bytes_not_stored(store); bytes > 0) {
     skip("memory of these arrays",
          fmt::format("{:.0f} bytes per element, neither stored nor read", bytes / model.element_count()));
