@@ -18,7 +18,7 @@ struct PinballView {
   const S* centre;     ///< C, R [length]
   const S* velocity;   ///< V, element mass [length/time], [mass]
   const S* outward;    ///< outward normal, B R (bulk modulus times radius) [length^2], [stress length]
-  const S* two_sided;  ///< two-sided normal, unused [length^2]
+  const S* two_sided;  ///< two-sided normal [length^2]; its fourth number is that of PinballGeometryView
 };
 
 template <class S>

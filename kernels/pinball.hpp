@@ -28,16 +28,21 @@ PINBALL_FUNCTION S ball_radius_of_cube(S edge) {
 /// Normals of a pinball [length^2]. `outward` is the sum of the area vectors of those exposed faces whose opposite face
 /// is not exposed. An element exposed on two opposite sides (a plate one element thick, or what erosion leaves) has no
 /// net normal across them: `two_sided` is the area vector of that pair of faces, whose sign each partner chooses. With
-/// two or more such pairs (a bar one element thick, a single element) both are zero: the line of centres decides.
+/// two or more such pairs (a bar one element thick, a single element) the line of centres decides: there are none, but
+/// that the end of a bar looks at partners in front of it. Of a bar that the mesh has as one, not of what erosion has
+/// left of more, `two_sided` is the opposite of `outward` there: the sum of both is zero for all that are beside the
+/// end, or behind it.
 template <class T>
 struct PinballNormal {
   Vec3<T> outward;
   Vec3<T> two_sided;
 };
 
-/// x: modes of the corners; exposed[f]: 1 where face f (xi-, xi+, eta-, eta+, zeta-, zeta+) is exposed, else 0.
+/// x: modes of the corners; exposed[f]: 1 where face f (xi-, xi+, eta-, eta+, zeta-, zeta+) is exposed, else 0; bar: 1
+/// for an element of a bar one element thick, else 0.
 template <class T>
-PINBALL_FUNCTION PinballNormal<T> pinball_normal(const HexahedronModes<T>& x, const T (&exposed)[6]) {
+PINBALL_FUNCTION PinballNormal<T> pinball_normal(const HexahedronModes<T>& x, const T (&exposed)[6],
+                                                 const T& bar = T(0)) {
   PinballNormal<T> n{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
   T pairs(0);
   PINBALL_UNROLL
@@ -51,6 +56,9 @@ PINBALL_FUNCTION PinballNormal<T> pinball_normal(const HexahedronModes<T>& x, co
   }
   const T keep = select(pairs > number<T>(1.5), T(0), T(1));  // if (pairs >= 2) two_sided = 0
   n.two_sided = keep * n.two_sided;
+  const auto ends = pairs > number<T>(1.5) && bar > number<T>(0.5);
+  n.two_sided = {select(ends, T(0) - n.outward.x, n.two_sided.x), select(ends, T(0) - n.outward.y, n.two_sided.y),
+                 select(ends, T(0) - n.outward.z, n.two_sided.z)};
   return n;
 }
 

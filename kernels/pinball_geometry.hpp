@@ -20,7 +20,7 @@ struct PinballGeometryView {
   S* centre;                   ///< C, R
   S* velocity;                 ///< V, (mass: kept)
   S* outward;                  ///< outward normal, B R
-  S* two_sided;                ///< two-sided normal
+  S* two_sided;                ///< two-sided normal, (1 for an element of a bar one element thick, else 0: kept)
   int row = 1;                 ///< lanes of a pack
   S radius_factor = 1;         ///< on the radius of (3.2) [-]
 };
@@ -49,7 +49,9 @@ PINBALL_FUNCTION void update_pinball_pack(const PinballGeometryView<ScalarOf<T>>
   T exposed[6];
   PINBALL_UNROLL
   for (int f = 0; f < 6; ++f) exposed[f] = load<T>(faces + f * row);
-  const PinballNormal<T> normal = pinball_normal(x, exposed);
+  alignas(64) S of_bar[W];
+  for (int i = 0; i < W; ++i) of_bar[i] = view.two_sided[4 * (pack * W + i) + 3];
+  const PinballNormal<T> normal = pinball_normal(x, exposed, load<T>(of_bar));
   T volume(0);
   if constexpr (update_radius) volume = hexahedron_volume(uniform_gradient(x), x);
 

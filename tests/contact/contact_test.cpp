@@ -105,6 +105,25 @@ TEST(Contact, APlateOneElementThickIsHitFromBothSides) {
   EXPECT_NEAR(from_below, -from_above, 1e-7);
 }
 
+/// All balls of such short bars are those of ends, whose faces along the bars look past each other. They meet as plates
+/// do, ball on ball.
+TEST(Contact, BarsOfOneElementAcrossMeetWhereTheyLieOnEachOther) {
+  const auto rebound = [](int length, int width) {
+    const double h = 0.1;
+    Scene scene = scene_of({block("lower", {length, width, 1}, h, {0, 0, 0}, {0, 0, 5}),
+                            block("upper", {length, width, 1}, h, {0, 0, (1 + 1.001 * touching_gap) * h}, {0, 0, -5})},
+                           4e-4);
+    Solver<double> solver(scene);
+    run(solver);
+    EXPECT_NEAR(velocity_of_body(solver, 0)[2], -velocity_of_body(solver, 1)[2], 1e-7);
+    return velocity_of_body(solver, 1)[2];
+  };
+  for (const int length : {2, 3}) {
+    EXPECT_GT(rebound(length, 1), 1) << "they have passed through each other";
+    EXPECT_NEAR(rebound(length, 1), rebound(length, 2), 1e-9);
+  }
+}
+
 TEST(Contact, BodiesThatTouchAtRestStayAtRest) {
   // Faces together, so that the balls overlap by a quarter of an element: the depth that they begin with stores
   // nothing.

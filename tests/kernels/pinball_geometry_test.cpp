@@ -64,6 +64,7 @@ TYPED_TEST(PinballGeometry, RecordsFollowFromTheCorners) {
       EXPECT_VECTOR_NEAR(record(outward), 0.5 * cross(x[e][f[2]] - x[e][f[0]], x[e][f[3]] - x[e][f[1]]), tolerance);
       EXPECT_VECTOR_NEAR(record(two_sided), (Vec3<double>{0, 0, 0}), 0);
       EXPECT_EQ(speed[4 * e + 3], mark);  // the mass is kept
+      EXPECT_EQ(two_sided[4 * e + 3], mark);
       if (update_radius) {
         const double volume = std::abs(quadrature_gradient(x[e]).volume);
         const double radius = 1.25 * std::cbrt(3 * volume / (4 * std::numbers::pi));

@@ -171,10 +171,10 @@ TEST(Penetration, IsTheSameToTheBitFromBothSides) {
 }
 
 // Faces: xi-, xi+, eta-, eta+, zeta-, zeta+ of a box of edges 2, 3, 5: areas 15, 10, 6.
-PinballNormal<double> box_normal(std::initializer_list<int> faces) {
+PinballNormal<double> box_normal(std::initializer_list<int> faces, double bar = 0) {
   double exposed[6] = {0, 0, 0, 0, 0, 0};
   for (const int f : faces) exposed[f] = 1;
-  return pinball_normal(modes<double>(box(2, 3, 5)), exposed);
+  return pinball_normal(modes<double>(box(2, 3, 5)), exposed, bar);
 }
 void expect_normal(const PinballNormal<double>& n, const V& outward, const V& two_sided) {
   EXPECT_VECTOR_NEAR(n.outward, outward, 2e-14);
@@ -212,8 +212,14 @@ TEST(PinballNormal, FollowsFromTheExposedFaces) {
     expect_normal(box_normal({2, 3, 4, 5, 0}), {-15, 0, 0}, none);
   }
   {
+    SCOPED_TRACE("the same of a bar that erosion has not made");
+    expect_normal(box_normal({2, 3, 4, 5}, 1), none, none);
+    expect_normal(box_normal({2, 3, 4, 5, 0}, 1), {-15, 0, 0}, {15, 0, 0});
+  }
+  {
     SCOPED_TRACE("single element");
     expect_normal(box_normal({0, 1, 2, 3, 4, 5}), none, none);
+    expect_normal(box_normal({0, 1, 2, 3, 4, 5}, 1), none, none);
   }
 }
 
@@ -234,6 +240,23 @@ TEST(UnitNormal, OfAPlateLooksAtThePartner) {
   const PinballNormal<double> edge = box_normal({4, 5, 1});
   EXPECT_VECTOR_NEAR(unit_normal_towards(edge, V{0, 0, 1}), unit({15, 0, 6}), 1e-15);
   EXPECT_VECTOR_NEAR(unit_normal_towards(edge, V{0, 0, -1}), unit({15, 0, -6}), 1e-15);
+}
+
+/// Two bars whose ends are flush lie on each other.
+TEST(UnitNormal, OfTheEndOfABarIsForPartnersInFrontAlone) {
+  const PinballNormal<double> end = box_normal({2, 3, 4, 5, 1}, 1);
+  for (const V& front : {V{1, 0, 0}, V{0.1, 2, 3}}) {
+    EXPECT_VECTOR_NEAR(unit_normal_towards(end, front), (V{1, 0, 0}), 1e-15);
+  }
+  for (const V& beside : {V{0, 0, 1}, V{0, -1, 2}, V{-0.1, 1, 0}, V{-1, 0, 0}}) {
+    EXPECT_VECTOR_NEAR(unit_normal_towards(end, beside), none, 0);
+  }
+  const V d{0, 0, 5};
+  const Penetration<double> flush =
+      penetration(d, 6.0, unit_normal_towards(end, (-1.0) * d), unit_normal_towards(end, d));
+  EXPECT_TRUE(flush.active);
+  EXPECT_NEAR(flush.depth, 1, 1e-12);
+  EXPECT_VECTOR_NEAR(flush.direction, (V{0, 0, 1}), 1e-15);
 }
 
 TEST(UnitNormal, OfASurfaceDoesNotDependOnThePartner) {

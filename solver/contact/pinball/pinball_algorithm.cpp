@@ -25,6 +25,13 @@ std::array<S, 3> centre_of(const S* records, const std::array<std::int32_t, 8>& 
   return {S(0.125) * sum[0], S(0.125) * sum[1], S(0.125) * sum[2]};
 }
 
+/// Exposed on two pairs of opposite faces.
+bool is_of_bar(std::uint8_t faces) {
+  int pairs = 0;
+  for (int axis = 0; axis < 3; ++axis) pairs += (faces >> 2 * axis & 3) == 3 ? 1 : 0;
+  return pairs > 1;
+}
+
 }  // namespace
 
 template <class S>
@@ -40,6 +47,7 @@ PinballAlgorithm<S>::PinballAlgorithm(const ContactSettings& settings, const Sur
   std::vector<std::int32_t> exposed;
   list_where("elements of a surface", surface_.slots(), exposed,
              [this](std::int64_t slot) { return surface_.exposed(slot) != 0; });
+  for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) faces_at_start_.push_back(surface_.exposed(slot));
   all_.update(source, settings.radius_factor, surface_, exposed, all_before_);
   watch_nodes(source);
   give_lists(source);
@@ -199,6 +207,7 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
     pinballs_.bulk_modulus[p] = all_.bulk_modulus[a];
     record(pinballs_.centre.data(), p)[3] = all_.radius[a];
     record(pinballs_.velocity.data(), p)[3] = all_.mass[a];
+    record(pinballs_.two_sided.data(), p)[3] = is_of_bar(faces_at_start_[all_.slot[a]]) ? S(1) : S(0);
   });
   pinballs_.tile_first.resize(source.tile_packs.size());
   parallel_for("pinballs of tiles", RangePolicy<>{0, std::ssize(source.tile_packs)}, [&](std::int64_t tile) {
@@ -330,9 +339,9 @@ void PinballAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>&
 
 template <class S>
 std::size_t PinballAlgorithm<S>::bytes() const {
-  return pinballs_.bytes() + list_.bytes() + host_kernels_.bytes() + surface_.bytes() + joined_.bytes() + all_.bytes() +
-         all_before_.bytes() + balls_.bytes() + motion_.bytes() + radius_.capacity() * sizeof(S) +
-         node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() +
+  return pinballs_.bytes() + faces_at_start_.capacity() + list_.bytes() + host_kernels_.bytes() + surface_.bytes() +
+         joined_.bytes() + all_.bytes() + all_before_.bytes() + balls_.bytes() + motion_.bytes() +
+         radius_.capacity() * sizeof(S) + node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() +
          (this->impulses_ ? this->impulses_->bytes() : 0) + (on_faces_ ? on_faces_->bytes() : 0) +
          (device_kernels_ ? device_kernels_->bytes() : 0);
 }

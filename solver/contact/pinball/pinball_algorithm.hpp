@@ -69,6 +69,7 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   /// Null: no spheres, or their balls meet those of elements. Hosts alone have spheres, and they keep no state.
   std::unique_ptr<SphereSprings<S>> on_faces_;
   Surface surface_;
+  std::vector<std::uint8_t> faces_at_start_;  ///< per slot: those that are exposed before anything erodes, a bit each
   JoinedBodies joined_;
   std::vector<std::int32_t> uncovered_;  ///< slots, by erosion since the pinballs of the surface were chosen
   SurfacePinballs<S> all_;

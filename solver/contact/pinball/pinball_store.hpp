@@ -24,7 +24,7 @@ struct PinballStore {
   Array<S> centre;                                   ///< records: C, R
   Array<S> velocity;                                 ///< records: V, element mass
   Array<S> outward;                                  ///< records: outward normal, B R
-  Array<S> two_sided;                                ///< records: two-sided normal, unused
+  Array<S> two_sided;                                ///< records: two-sided normal, 1 for an element of a bar
   Array<S> force;                                    ///< records: F, sum of p2
   std::vector<std::array<std::int32_t, 8>> corners;  ///< node numbers, per pinball
   std::vector<std::int32_t> slot;                    ///< of the element
