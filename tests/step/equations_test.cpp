@@ -7,7 +7,8 @@
 #include <solver/scene_rules.hpp>
 #include <tests/support/run_hash.hpp>
 #include <tests/support/saved_state.hpp>
-#include <tests/support/tied_case.hpp>
+
+#include "equations_case.hpp"
 
 /// [[equation]]: displacements that add up to zero.
 namespace pinball::test::equations_test {
@@ -15,40 +16,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-const std::array<Point, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-
-EquationTerm term(const std::string& name, const Point& direction, double factor, const std::string& body,
-                  std::optional<Plane> plane = {}) {
-  EquationTerm one{name, direction, factor, {}};
-  one.nodes.body = body;
-  one.nodes.plane = plane;
-  return one;
-}
-
-/// Factors of the displacements of two bodies' nodes along all axes.
-std::vector<EquationTerm> of_pair(double a, double b, std::optional<Plane> plane = {}) {
-  std::vector<EquationTerm> terms;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::string name = std::string(1, "xyz"[k]);
-    terms.push_back(term(name, axes[k], a, "a", plane));
-    terms.push_back(term(name, axes[k], b, "b", plane));
-  }
-  return terms;
-}
-
-/// Two cubes of one element, 1 m from each other.
-Scene two_cubes(double end) {
-  return scene_of({block("a", {1, 1, 1}, 0.1, {0, 0, 0}), block("b", {1, 1, 1}, 0.1, {1, 0, 0})}, end, false);
-}
-
-constexpr double cube_mass = 7.850;
-
-template <class S>
-Point velocity_of(const Solver<S>& solver, std::size_t scene_node) {
-  const S* v = solver.model().nodes.velocity.data() + 4 * solver.model().node_of_scene_node[scene_node];
-  return {v[0], v[1], v[2]};
-}
 
 /// A wave, and bending, through two bars in series and through one.
 TEST(Equation, OfTheEndsOfTwoBarsMakesOneOfThem) {
@@ -240,127 +207,6 @@ TEST(Equation, JoinsWhatBeginsToMoveOtherwise) {
   EXPECT_NEAR(solver.momentum()[0], 2 * cube_mass, 1e-12);
 }
 
-/// Springs of contact are forces as all others.
-TEST(Equation, BesideContactByPenalty) {
-  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {0, 0, 20}), block("b", {2, 2, 2}, 0.1, {0, 0, 0.23}),
-                          block("c", {2, 2, 2}, 0.1, {1, 0, 0.23})},
-                         1e-3);
-  Solver<double> alone(scene);
-  const double without = worst_balance_of_run(alone);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::string name = std::string(1, "xyz"[k]);
-    scene.equation_terms.push_back(term(name, axes[k], 1, "b"));
-    scene.equation_terms.push_back(term(name, axes[k], -1, "c"));
-  }
-  Solver<double> solver(scene);
-  EXPECT_LT(worst_balance_of_run(solver), 1.1 * without) << "that of contact";
-  EXPECT_NEAR(solver.momentum()[2], 8 * cube_mass * 20, 1e-9);
-  EXPECT_GT(velocity_of(solver, 80)[2], 5) << "c moves with what a has struck";
-}
-
-/// a strikes b along z; c follows nodes of b that nothing touches, or follows along x.
-TEST(Equation, BesideImpulsesThatLeaveItAsItIs) {
-  for (const Enforcement enforcement : {Enforcement::lagrange, Enforcement::projection}) {
-    Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {0, 0, 20}),
-                            block("b", {2, 2, 3}, 0.1, {0, 0, 0.201}), block("c", {2, 2, 3}, 0.1, {1, 0, 0.201})},
-                           4e-4);
-    scene.contact.enforcement = enforcement;
-    scene.contact.gap = ContactGap::face;
-    scene.materials = {elastic_material("steel", 0.0)};  // without contraction faces stay flat
-    Solver<double> alone(scene);
-    const double without = worst_balance_of_run(alone);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::string name = std::string(1, "xyz"[k]);
-      scene.equation_terms.push_back(term(name, axes[k], 1, "b", Plane{{0, 0, 0.501}, {0, 0, 1}}));
-      scene.equation_terms.push_back(term(name, axes[k], -1, "c", Plane{{0, 0, 0.501}, {0, 0, 1}}));
-    }
-    Solver<double> behind(scene);
-    EXPECT_LT(worst_balance_of_run(behind), 3 * without);
-    EXPECT_NEAR(behind.momentum()[2], 8 * cube_mass * 20, 1e-9);
-    const std::size_t b = 27 + 27, c = 27 + 36 + 27;  // their last layers
-    for (std::size_t n = 0; n < 9; ++n) {
-      EXPECT_NEAR(velocity_of(behind, b + n)[2], velocity_of(behind, c + n)[2], 1e-12);
-    }
-    EXPECT_GT(velocity_of(behind, c)[2], 0.1) << "c moves with what a has struck";
-
-    scene.equation_terms = {term("x", axes[0], 1, "b"), term("x", axes[0], -1, "c")};
-    Solver<double> across(scene);
-    run(across);
-    EXPECT_GT(velocity_of(across, 27)[2], 1) << "b has been struck";
-  }
-}
-
-/// Where they do not, at the time when they do not.
-TEST(Equation, EndsTheRunWhereImpulsesBreakIt) {
-  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {0, 0, 20}), block("b", {2, 2, 2}, 0.1, {0, 0, 0.204}),
-                          block("c", {2, 2, 2}, 0.1, {1, 0, 0.204})},
-                         1e-3);
-  scene.contact.enforcement = Enforcement::lagrange;
-  scene.contact.gap = ContactGap::face;
-  scene.equation_terms = {term("z", axes[2], 1, "b"), term("z", axes[2], -1, "c")};
-  Solver<double> struck(scene);
-  EXPECT_THAT(error_of<RunError>([&] { run(struck); }), HasSubstr("pushes nodes of the equation"));
-  EXPECT_GT(struck.time(), 1.5e-4);
-  EXPECT_LT(struck.time(), 2.5e-4);
-}
-
-/// b slides along a wall, and c follows it; then along the normal of the wall.
-TEST(Equation, BesideRigidWalls) {
-  Scene scene = two_cubes(1e-3);
-  scene.bodies[0].velocity = scene.bodies[1].velocity = {3, 0, -1};
-  scene.equation_terms = {term("x", axes[0], 1, "a"), term("x", axes[0], -1, "b")};
-  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
-  NodalLoad pull;
-  pull.nodes.body = "a";
-  pull.force = {3e4, 0, 0};
-  scene.loads = {pull};
-  Scene apart = scene;
-  apart.equation_terms.clear();
-  Solver<double> slides(scene), without(apart);
-  EXPECT_LT(worst_balance_of_run(slides), 2 * worst_balance_of_run(without));
-  EXPECT_NEAR(slides.momentum()[0], 2 * cube_mass * 3 + slides.time() * 3e4, 1e-10);
-  EXPECT_GT(slides.momentum()[2], -1.5 * cube_mass) << "they have met the wall";
-  for (std::size_t n = 0; n < 8; ++n) EXPECT_NEAR(velocity_of(slides, n)[0], velocity_of(slides, n + 8)[0], 1e-12) << n;
-
-  scene.rigid_walls[0].plane.point[2] = -5e-4;
-  scene.rigid_walls[0].body = "b";
-  scene.equation_terms = {term("z", axes[2], 1, "a"), term("z", axes[2], -1, "b")};
-  Solver<double> meets(scene);
-  EXPECT_THAT(error_of<RunError>([&] { run(meets); }), HasSubstr("pushes nodes of the equation"));
-  EXPECT_NEAR(meets.time(), 5e-4, 5e-5);
-  scene.rigid_walls[0].plane.point[2] = -1;
-  Solver<double> far(scene);
-  EXPECT_LT(worst_balance_of_run(far), 1e-9);
-}
-
-/// Nodes of equations, of large elements, make the smallest steps.
-TEST(Equation, BesideSubcycling) {
-  Scene scene = scene_of({block("a", {2, 2, 8}, 0.1, {0, 0, 0}), block("b", {2, 2, 8}, 0.1, {1, 0, 0}),
-                          block("fine", {2, 2, 2}, 0.0125, {3, 0, 0})},
-                         6e-4, false);
-  scene.equation_terms = of_pair(1, -1, Plane{{0, 0, 0.8}, {0, 0, 1}});
-  NodalLoad blow;
-  blow.nodes.body = "a";
-  blow.nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
-  blow.force = {0, 0, 1e6};
-  scene.loads = {blow};
-  Solver<double> one(scene);
-  run(one);
-  scene.time.subcycling = true;
-  Scene apart = scene;
-  apart.equation_terms.clear();
-  Solver<double> several(scene), without(apart);
-  const double worst = worst_balance_of_run(without);
-  EXPECT_LT(worst_balance_of_run(several), 1.5 * worst + 1e-4);
-  ASSERT_GT(several.subcycling()->levels(), 1);
-  for (std::size_t n = 0; n < 9; ++n) {
-    const std::size_t a = 9 * 8 + n, b = a + 81;
-    EXPECT_LT(norm(minus(velocity_of(several, a), velocity_of(several, b))), 1e-12 * 100);
-    EXPECT_NEAR(position_of(several, b)[2] - 0.8, position_of(one, b)[2] - 0.8, 1e-2 * (position_of(one, b)[2] - 0.8));
-  }
-  EXPECT_NEAR(several.momentum()[2], 1e6 * several.time(), 1e-9 * 1e6 * several.time());
-}
-
 /// c follows a node of the face on which a is tied.
 TEST(Equation, OfCornersOfFacesThatOthersAreTiedTo) {
   Scene scene = glued(3, 2, 3e-4);
@@ -427,6 +273,7 @@ TEST(Equation, HasTheSameBitsOnThreadsDevicesAndAfterARestart) {
   held.directions = {{1, 0, 0}};
   held.when = {1e-4, 2e-4};
   scene.fixed_constraints = {held};
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};  // whose nodes have no equation
   const std::uint64_t alone = hash_of<double>(scene);
   EXPECT_EQ(hash_of<double>(scene, 3), alone);
   Scene on_device = scene;
