@@ -62,6 +62,27 @@ TEST_F(RadiossTest, AKeywordBehindBlanksIsRefusedAndNotReadAsData) {
   EXPECT_EQ(error(cube_with("#  /GRAV/1\n")), "no error") << "a comment";
 }
 
+TEST_F(RadiossTest, SolidsThatAreGivenTheOtherWayRoundAreTurned) {
+  const std::string begin = radioss_begin + radioss_steel + radioss_property + "/PART/1\ncube\n" +
+                            ten({"1", "1", "0"}) + "/NODE\n" + square_nodes(1, 0) + square_nodes(5, 1);
+  const auto volume_of = [&](const std::string& solids) {
+    const Scene made = scene(begin + solids);
+    const auto& mesh = std::get<FileMesh>(made.bodies.at(0).mesh);
+    return measure_quality(read_mesh_file(mesh, {}).mesh).volume;
+  };
+  const auto note = Contains(HasSubstr("1 solid of negative volume: the order of its nodes is turned round"));
+  const std::string brick = "/BRICK/1\n" + ten({"10", "5", "6", "7", "8", "1", "2", "3", "4"}),
+                    wedge = "/PENTA6/1\n" + ten({"10", "5", "6", "7", "1", "2", "3"}),
+                    tetrahedron = "/TETRA4/1\n" + ten({"10", "1", "3", "2", "5"}),
+                    ten_nodes = "/TETRA10/1\n" + ten({"10"}) + ten({"1", "3", "2", "5", "0", "0", "0", "0", "0", "0"});
+  EXPECT_DOUBLE_EQ(volume_of(brick), 1.0);
+  EXPECT_DOUBLE_EQ(volume_of(wedge), 0.5);
+  EXPECT_NEAR(volume_of(tetrahedron), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(volume_of(ten_nodes), 1.0 / 6, 1e-12);
+  EXPECT_THAT(translate(begin + brick).understood, note);
+  EXPECT_THAT(translate(cube_with("")).understood, Not(note));
+}
+
 TEST_F(RadiossTest, OtherProgramsInputIsNamed) {
   std::ofstream(path_) << "*KEYWORD\n*NODE\n";
   EXPECT_THAT(error_of([&] { translate_radioss(path_); }), HasSubstr("cube_0000.rad:1: expected Radioss input"));

@@ -6,11 +6,15 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
+#include <utility>
 
+#include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
 #include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/file/split_twenty_nodes.hpp>
 #include <solver/mesh/number_index.hpp>
+#include <solver/mesh/quality.hpp>
 #include <solver/mesh/tetrahedra.hpp>
 
 #include "radioss_groups.hpp"
@@ -59,6 +63,7 @@ class RadiossMeshReader {
     }
     if (const std::int32_t twice = NumberIndex(file_.element_ids).repeated(); twice >= 0)
       fail_twice(is_of_solids, radioss::brick, "solid", file_.element_ids[twice]);
+    note_turned();
     const RadiossShells shells(deck_, parts_, file_, nodes_);
     std::vector<RigidShell> rigid;
     if (!shells.all().empty()) {
@@ -133,7 +138,35 @@ class RadiossMeshReader {
   void add_solid(const ElementType& type, const RadiossFields& f) {
     std::array<std::int32_t, most_nodes_of_element> nodes{};
     for (int i = 0; i < type.nodes; ++i) nodes[i] = node_of(f, 1 + i);
+    if (is_inverted(stored_corners(type, nodes))) turn(type, nodes);
     append_element(file_, type, nodes);
+  }
+
+  bool is_inverted(const Corners8& corners) const {
+    std::array<Point, 8> points;
+    for (std::size_t i = 0; i < 8; ++i) points[i] = file_.mesh.nodes[corners[i]];
+    return volume_by_quadrature(points) < 0;
+  }
+
+  /// Other corners come first, as the starter of OpenRadioss has it (hm_read_solid.F): those of the opposite face of a
+  /// brick or a wedge, two of a tetrahedron with the middles of their edges.
+  void turn(const ElementType& type, std::span<std::int32_t> nodes) {
+    ++turned_;
+    if (type.shape == SolidShape::tetrahedron) {
+      std::swap(nodes[1], nodes[2]);
+      if (!type.has_edge_nodes) return;
+      std::swap(nodes[4], nodes[6]);
+      std::swap(nodes[8], nodes[9]);
+    } else {
+      std::rotate(nodes.begin(), nodes.begin() + type.nodes / 2, nodes.begin() + type.nodes);
+    }
+  }
+
+  void note_turned() {
+    if (turned_ == 0) return;
+    file_.notes.push_back(
+        fmt::format("{} of negative volume: the order of {} nodes is turned round, as OpenRadioss does",
+                    counted(turned_, "solid"), turned_ == 1 ? "its" : "their"));
   }
 
   /// On edges: four of the first face, four from it to the opposite one, four of that.
@@ -161,6 +194,7 @@ class RadiossMeshReader {
     const ElementType& type = *element_type(&ElementType::radioss, given == 6 ? "TETRA10" : "TETRA4");
     std::array<std::int32_t, 10> nodes{};
     for (int i = 0; i < type.nodes; ++i) nodes[i] = node_of(f, i);
+    if (is_inverted(stored_corners(type, nodes))) turn(type, nodes);
     append_element(file_, type, nodes);
   }
 
@@ -175,6 +209,8 @@ class RadiossMeshReader {
                                        "n1 n2 n3 n3 n4 n4 n4 n4",
                                        file_.element_ids.back()));
       corners = *found;
+    } else if (different_nodes(corners) == 8 && is_inverted(corners)) {
+      turn(*element_type(&ElementType::radioss, "BRICK"), corners);
     }
     file_.mesh.hexahedra.push_back(corners);
   }
@@ -205,6 +241,7 @@ class RadiossMeshReader {
   NumberIndex nodes_;
   std::map<std::int64_t, std::int32_t> part_places_;
   std::size_t given_nodes_ = 0;
+  std::int64_t turned_ = 0;  ///< solids that were given the other way round
 };
 
 }  // namespace
