@@ -151,6 +151,7 @@ std::vector<MeshGroup> groups_of(const MeshFile& file) {
   add_groups(file.element_sets, MeshGroup::Kind::elements, groups);
   add_groups(file.node_sets, MeshGroup::Kind::nodes, groups);
   add_groups(file.face_sets, MeshGroup::Kind::faces, groups);
+  groups.insert(groups.end(), file.other_parts.begin(), file.other_parts.end());
   return groups;
 }
 

@@ -72,6 +72,14 @@ struct MeshLines {
   std::string file;
 };
 
+/// A part or set of a file, for who wants to know what there is.
+struct MeshGroup {
+  enum class Kind { part, elements, nodes, faces } kind;
+  std::int64_t id = 0;  ///< 0: none
+  std::string name;
+  std::size_t members = 0;  ///< elements, nodes or faces
+};
+
 /// All that a file says of a mesh: nodes and hexahedra, which of them belong to which part, and sets. Numbers (ids) are
 /// those of the file; everything else refers to places, which count from 0 in the order of the file.
 struct MeshFile {
@@ -89,6 +97,7 @@ struct MeshFile {
   std::vector<std::int32_t> eights;       ///< the first of each of these eight, ascending
   std::vector<LayerNodes> layers;         ///< of rigid shells
   std::vector<MeshPart> parts;
+  std::vector<MeshGroup> other_parts;  ///< that were not asked for, where the reader leaves out what is not
   std::vector<MeshSet> node_sets, element_sets;
   std::vector<FaceSet> face_sets;
   std::vector<std::string> notes{};   ///< what was left out, in sentences
@@ -120,13 +129,7 @@ const FaceSet* find_set(const std::vector<FaceSet>& sets, const std::string& nam
 std::vector<std::string> set_names(const std::vector<MeshSet>& sets);
 std::vector<std::string> set_names(const std::vector<FaceSet>& sets);
 
-/// A part or set of a file, for who wants to know what there is.
-struct MeshGroup {
-  enum class Kind { part, elements, nodes, faces } kind;
-  std::int64_t id = 0;  ///< 0: none
-  std::string name;
-  std::size_t members = 0;  ///< elements, nodes or faces
-};
+/// Also those that were not asked for.
 std::vector<MeshGroup> groups_of(const MeshFile& file);
 
 /// The nodes of faces, ascending, each once; of faces of no hexahedron those that there are.

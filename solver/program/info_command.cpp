@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -14,7 +13,6 @@
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
 #include <solver/formats/deck_reader.hpp>
-#include <solver/mesh/element_types.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/mesh_format.hpp>
 #include <solver/mesh/quality.hpp>
@@ -274,18 +272,6 @@ void print_start_warnings(const Solver<S>& solver) {
   for (const std::string& sentence : start_warnings(summary)) fmt::print("warning: {}\n", sentence);
 }
 
-/// " (12 of them tetrahedra)", where not all are hexahedra.
-std::string other_shapes(const ModelMesh& mesh) {
-  std::vector<std::string> all;
-  for (const KnownShape& shape : known_shapes()) {
-    if (shape.shape == SolidShape::hexahedron) continue;
-    const auto is_it = [&shape](const Corners8& corners) { return shape_of(corners) == shape.shape; };
-    const auto count = std::ranges::count_if(mesh.hexahedra, is_it);
-    if (count > 0) all.push_back(fmt::format("{} {}{}", count, all.empty() ? "of them " : "", shape.plural));
-  }
-  return all.empty() ? "" : fmt::format(" ({})", fmt::join(all, ", "));
-}
-
 /// Returns the scene with all that its bodies decide.
 template <class S>
 Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
@@ -298,9 +284,9 @@ Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
   fmt::print("  {}; {} precision", units_line(scene.units), name_of(scene.precision));
   if (scene.refine > 1) fmt::print("; meshes refined {} times", scene.refine);
-  fmt::print("\n  {}{}, {}, {}, end at {}\n", counted(solver.element_count(), "element"), other_shapes(solver.mesh()),
-             counted(solver.mesh().nodes.size(), "node"), counted(scene.bodies.size(), "body", "bodies"),
-             with_unit(scene.time.end, units.time));
+  fmt::print("\n  {}{}, {}, {}, end at {}\n", counted(solver.element_count(), "element"),
+             other_shapes(solver.mesh().hexahedra), counted(solver.mesh().nodes.size(), "node"),
+             counted(scene.bodies.size(), "body", "bodies"), with_unit(scene.time.end, units.time));
   print_bodies(solver.model(), units);
   print_mesh_files(solver.mesh());
   print_materials(scene, units);

@@ -70,6 +70,10 @@ void GmshCollector::add_boundary(int dimension, std::span<const std::int32_t> no
   }
 }
 
+void GmshCollector::leave_out(std::span<const std::int64_t> groups) {
+  for (const std::int64_t group : groups) ++left_out_[group];
+}
+
 MeshFile GmshCollector::finish(const GmshGroups& groups, const std::vector<std::string>& names) {
   require_elements(names);
   if (overlapping_) {
@@ -78,6 +82,8 @@ MeshFile GmshCollector::finish(const GmshGroups& groups, const std::vector<std::
     name_parts(groups);
   }
   name_boundaries(groups);
+  for (const auto& [group, elements] : left_out_)
+    file_.other_parts.push_back({MeshGroup::Kind::part, group, groups.name_of(3, group), elements});
   keep_used_nodes(file_);
   return std::move(file_);
 }

@@ -34,6 +34,9 @@ class GmshCollector {
   void add_boundary(int dimension, std::span<const std::int32_t> nodes, std::span<const std::int64_t> groups,
                     const std::string& problem);
 
+  /// Counts an element of volumes that are not wanted.
+  void leave_out(std::span<const std::int64_t> groups);
+
   MeshFile finish(const GmshGroups& groups, const std::vector<std::string>& names);
 
  private:
@@ -57,6 +60,7 @@ class GmshCollector {
   std::optional<PlaceTable> known_;                              ///< format 2.2
   std::vector<std::int64_t> first_group_;                        ///< per hexahedron; 0: none
   Members members_;                                              ///< per physical volume
+  std::map<std::int64_t, std::size_t> left_out_;                 ///< elements of physical volumes that are not wanted
   std::map<std::pair<int, std::int64_t>, Boundary> boundaries_;  ///< by dimension and group
 };
 

@@ -263,6 +263,7 @@ class GmshReader {
       add_element(dimension, type, groups, id, line);
     } else {
       skip_nodes(type);
+      if (dimension == 3 && !wanted) collector_->leave_out(groups);
       if (wanted) collector_->add_boundary(dimension, {}, groups, not_read(type, id, line));
     }
   }

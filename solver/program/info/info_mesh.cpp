@@ -1,6 +1,10 @@
 #include "info_mesh.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
 
 #include <solver/base/counted.hpp>
 #include <solver/formats/mesh_reader.hpp>
@@ -40,6 +44,22 @@ void print_all_groups(const std::vector<MeshGroup>& groups) {
   print_groups(groups, MeshGroup::Kind::faces, "sets of faces", "faces");
 }
 
+/// Parts of which no body has an element: of a body that was forgotten, or one that is not wanted.
+void print_parts_of_no_body(const FileNodes& file) {
+  std::vector<std::string> names;
+  for (const MeshGroup& group : file.groups) {
+    if (group.kind != MeshGroup::Kind::part || group.members == 0) continue;
+    const bool is_there = std::ranges::any_of(file.element_sets, [&group](const MeshSet& set) {
+      return set.id == group.id && set.name == group.name && !set.members.empty();
+    });
+    if (!is_there) names.push_back(name_of(group));
+  }
+  if (names.empty()) return;
+  const std::size_t listed = std::min(names.size(), most_listed);
+  fmt::print("    no body has parts {}{}\n", fmt::join(names.begin(), names.begin() + listed, ", "),
+             names.size() > listed ? fmt::format(" and {} more", names.size() - listed) : "");
+}
+
 void print_shape(const Mesh& mesh) {
   Extent box;
   for (const Point& node : mesh.nodes) box.take(node);
@@ -57,11 +77,23 @@ std::string quality_text(const MeshQuality& q, const std::string& length) {
       with_unit(q.max_edge, length), q.max_aspect_ratio, q.min_scaled_jacobian, q.mean_scaled_jacobian);
 }
 
+std::string other_shapes(const std::vector<Corners8>& elements) {
+  std::vector<std::string> all;
+  for (const KnownShape& shape : known_shapes()) {
+    if (shape.shape == SolidShape::hexahedron) continue;
+    const auto is_it = [&shape](const Corners8& corners) { return shape_of(corners) == shape.shape; };
+    const auto count = std::ranges::count_if(elements, is_it);
+    if (count > 0) all.push_back(fmt::format("{} {}{}", count, all.empty() ? "of them " : "", shape.plural));
+  }
+  return all.empty() ? "" : fmt::format(" ({})", fmt::join(all, ", "));
+}
+
 void print_mesh_files(const ModelMesh& mesh) {
   if (!mesh.files.empty()) fmt::print("mesh files\n");
   for (const FileNodes& file : mesh.files) {
     fmt::print("  {}\n", file.path);
     print_all_groups(file.groups);
+    print_parts_of_no_body(file);
   }
   for (const std::string& warning : mesh.warnings) fmt::print("  warning: {}\n", warning);
 }
@@ -71,8 +103,9 @@ void print_mesh_file(const std::string& path, MeshFormat format) {
   settings.file = path;
   settings.format = format;
   const MeshFile file = read_mesh_file(settings, {});
-  fmt::print("{}: a mesh ({}) of {} and {}\n", path, schema::name_of(format),
-             counted(file.mesh.hexahedra.size(), "hexahedron", "hexahedra"), counted(file.mesh.nodes.size(), "node"));
+  fmt::print("{}: a mesh ({}) of {}{} and {}\n", path, schema::name_of(format),
+             counted(file.mesh.hexahedra.size(), "element"), other_shapes(file.mesh.hexahedra),
+             counted(file.mesh.nodes.size(), "node"));
   if (!file.mesh.hexahedra.empty()) print_shape(file.mesh);
   print_all_groups(groups_of(file));
   for (const std::string& note : file.notes) fmt::print("  note: {}\n", note);
