@@ -91,25 +91,41 @@ PINBALL_FUNCTION T logarithm(const T& x) {
   return k * T(L::ln2_high) + (k * T(L::ln2_low) + T(2) * f * sum) + no_number;
 }
 
-/// e^x; zero where that is below the smallest normal number, and where it is beyond the largest, about that. Of what is
-/// not finite: no number.
+namespace detail {
+
+/// e^x = 2^k e^r of x within the exponents of numbers.
 template <class T>
-PINBALL_FUNCTION T exponential(const T& x) {
+struct ExponentialFactors {
+  T power_of_two;  ///< 2^k
+  T rest;          ///< e^r - 1
+};
+
+template <class T>
+PINBALL_FUNCTION ExponentialFactors<T> factors_of_exponential(const T& x) {
   using S = ScalarOf<T>;
-  using L = detail::Layout<S>;
-  using Bits = typename detail::BitsOf<T>::Type;
+  using L = Layout<S>;
+  using Bits = typename BitsOf<T>::Type;
   const T bounded = minimum(maximum(x, T(L::lowest_exponent)), T(L::highest_exponent));
   // The sum with 1.5 times 2^digits is rounded to a whole number, which its last digits then are.
-  const S half_more = S(1.5) * detail::same_bits<S>(L::whole);
+  const S half_more = S(1.5) * same_bits<S>(L::whole);
   const T rounded = bounded * number<T>(1.4426950408889634074) + T(half_more);
   const T k = rounded - T(half_more);
   const T r = (bounded - k * T(L::ln2_high)) - k * T(L::ln2_low);
   T sum = T(1);
   PINBALL_UNROLL
-  for (int i = L::terms_of_exponential; i > 0; --i) sum = T(1) + sum * r * T(S(1) / S(i));
-  const Bits scale = (detail::same_bits<Bits>(rounded) << L::digits) + Bits(L::one);
-  const T no_number = x - x;
-  return select(x < T(L::lowest_exponent), T(0), sum * detail::same_bits<T>(scale)) + no_number;
+  for (int i = L::terms_of_exponential; i > 1; --i) sum = T(1) + sum * r * T(S(1) / S(i));
+  return {same_bits<T>(Bits((same_bits<Bits>(rounded) << L::digits) + Bits(L::one))), sum * r};
+}
+
+}  // namespace detail
+
+/// e^x; zero where that is below the smallest normal number, and where it is beyond the largest, about that. Of what is
+/// not finite: no number.
+template <class T>
+PINBALL_FUNCTION T exponential(const T& x) {
+  const detail::ExponentialFactors<T> factors = detail::factors_of_exponential(x);
+  const T value = (T(1) + factors.rest) * factors.power_of_two, no_number = x - x;
+  return select(x < T(detail::Layout<ScalarOf<T>>::lowest_exponent), T(0), value) + no_number;
 }
 
 /// ln(1 + x), as accurate where x is small: the logarithm of the rounded sum, and what rounding has taken of it.
@@ -123,20 +139,9 @@ PINBALL_FUNCTION T logarithm_of_one_and(const T& x) {
 /// e^x - 1, as accurate where x is small; not for x beyond the exponents of numbers.
 template <class T>
 PINBALL_FUNCTION T exponential_less_one(const T& x) {
-  using S = ScalarOf<T>;
-  using L = detail::Layout<S>;
-  using Bits = typename detail::BitsOf<T>::Type;
-  const T bounded = minimum(maximum(x, T(L::lowest_exponent)), T(L::highest_exponent));
-  const S half_more = S(1.5) * detail::same_bits<S>(L::whole);
-  const T rounded = bounded * number<T>(1.4426950408889634074) + T(half_more);
-  const T k = rounded - T(half_more);
-  const T r = (bounded - k * T(L::ln2_high)) - k * T(L::ln2_low);
-  T sum = T(1);
-  PINBALL_UNROLL
-  for (int i = L::terms_of_exponential; i > 1; --i) sum = T(1) + sum * r * T(S(1) / S(i));
-  const T scale = detail::same_bits<T>(Bits((detail::same_bits<Bits>(rounded) << L::digits) + Bits(L::one)));
+  const detail::ExponentialFactors<T> factors = detail::factors_of_exponential(x);
   const T no_number = x - x;
-  return scale * (sum * r) + (scale - T(1)) + no_number;
+  return factors.power_of_two * factors.rest + (factors.power_of_two - T(1)) + no_number;
 }
 
 /// base^exponent of a base that is not negative: zero of zero, also with an exponent of zero.
