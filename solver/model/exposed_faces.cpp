@@ -1,13 +1,19 @@
 #include "exposed_faces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <kernels/hexahedron.hpp>
+#include <solver/base/point.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
 namespace pinball {
 
 namespace {
+
+/// Cosine between the normals of a face and of the plane in which it lies: nodes of a rough mesh are off the plane by
+/// up to the tolerance of the constraint.
+constexpr double least_cosine = 0.7;
 
 /// Per node of the mesh whether a plane of symmetry holds it.
 std::vector<bool> held_by(const PlaneConstraint& plane, const ModelMesh& mesh) {
@@ -17,6 +23,14 @@ std::vector<bool> held_by(const PlaneConstraint& plane, const ModelMesh& mesh) {
 }
 
 }  // namespace
+
+Point face_normal(const ModelMesh& mesh, std::size_t element, std::size_t face) {
+  const auto corner = [&](int i) { return mesh.corner(element, face_nodes[face][i]); };
+  Point normal = cross(minus(corner(2), corner(0)), minus(corner(3), corner(1)));
+  const double length = norm(normal);
+  for (double& n : normal) n /= length > 0 ? length : 1;
+  return normal;
+}
 
 std::vector<std::uint8_t> find_exposed_faces(const ModelMesh& mesh, const std::vector<PlaneConstraint>& symmetry,
                                              const std::vector<std::array<std::int32_t, 6>>& neighbours) {
@@ -31,7 +45,8 @@ std::vector<std::uint8_t> find_exposed_faces(const ModelMesh& mesh, const std::v
       for (std::size_t p = 0; p < symmetry.size() && !continued; ++p) {
         if (!symmetry[p].body.empty() && symmetry[p].body != body) continue;
         continued = std::all_of(std::begin(face_nodes[f]), std::end(face_nodes[f]),
-                                [&](int corner) { return held[p][mesh.hexahedra[e][corner]]; });
+                                [&](int corner) { return held[p][mesh.hexahedra[e][corner]]; }) &&
+                    std::abs(dot(face_normal(mesh, e, f), symmetry[p].normal)) > least_cosine;
       }
       if (!continued) exposed[e] |= 1U << f;
     }

@@ -114,14 +114,6 @@ class MeshSurface {
     }
     return mean;
   }
-  /// Outward, of unit length; zero for a collapsed face.
-  Point normal(std::size_t e, std::size_t face) const {
-    const auto corner = [&](int i) { return mesh_.corner(e, face_nodes[face][i]); };
-    Point area = cross(minus(corner(2), corner(0)), minus(corner(3), corner(1)));
-    const double size = norm(area);
-    for (double& a : area) a /= size > 0 ? size : 1;
-    return area;
-  }
   /// Extent of an element along one of its axes; none between planes of symmetry.
   double extent(std::size_t e, std::size_t axis) const {
     const auto mirrored = [&](std::size_t face) { return neighbours_[e][face] == -1 && !exposed(e, face); };
@@ -129,7 +121,7 @@ class MeshSurface {
     return norm(minus(middle(e, 2 * axis + 1), middle(e, 2 * axis)));
   }
   FaceBall ball_behind(std::size_t e, std::size_t face, const Bounds& body) const {
-    const Point towards = normal(e, face);
+    const Point towards = face_normal(mesh_, e, face);
     const std::size_t axis = face / 2;
     const double below = dot(minus(middle(e, face), element_centre(mesh_, e)), towards);
     const double across = std::hypot(extent(e, (axis + 1) % 3), extent(e, (axis + 2) % 3));
@@ -187,7 +179,7 @@ std::optional<UnseenBalls> find_unseen_balls(const Scene& scene, const ModelMesh
       if (!surface.exposed(e, f)) continue;
       const FaceBall face = surface.ball_behind(e, f, body.box);
       if (!(face.thickness > 0)) continue;
-      const Point normal = surface.normal(e, f);
+      const Point normal = face_normal(mesh, e, f);
       if (body.others.in_front(surface.middle(e, f), normal, 1e-6 * face.radius)) body.towards_others.take(face);
       const bool broad = face.thickness <= std::sqrt(2.0) * face.between;  // not thicker than wide
       if (contact.self && broad && body.box.thin(normal)) worst.take(face, face, face.between, soundest_folded);

@@ -4,6 +4,7 @@
 
 #include <solver/base/faces.hpp>
 #include <solver/base/point.hpp>
+#include <solver/model/exposed_faces.hpp>
 #include <solver/model/nodes_of_bodies.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
@@ -17,14 +18,6 @@ constexpr double nodes_of_layer = 1.99;
 /// Part of the outer faces of a body that lie opposite to each other on one element: of a plate of one layer all but
 /// the rim, of a bar of one element all but its ends.
 constexpr double most_faces = 0.6;
-
-Point normal_of(const ModelMesh& mesh, std::size_t element, int face) {
-  const auto corner = [&](int i) { return mesh.corner(element, face_nodes[face][i]); };
-  Point normal = cross(minus(corner(2), corner(0)), minus(corner(3), corner(1)));
-  const double length = norm(normal);
-  for (double& n : normal) n /= length > 0 ? length : 1;
-  return normal;
-}
 
 /// Nodes that cannot move freely, with the directions in which they cannot.
 class Stopped {
@@ -43,7 +36,7 @@ class Stopped {
   }
   /// Whether all corners of a face are held along its normal.
   bool stops(const ModelMesh& mesh, std::size_t element, int face) const {
-    const Point normal = normal_of(mesh, element, face);
+    const Point normal = face_normal(mesh, element, face);
     for (const int i : face_nodes[face]) {
       const std::size_t n = mesh.hexahedra[element][i];
       const bool held =
