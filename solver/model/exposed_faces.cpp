@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <kernels/hexahedron.hpp>
+#include <solver/base/face_corners.hpp>
 #include <solver/base/point.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
@@ -52,6 +55,43 @@ std::vector<std::uint8_t> find_exposed_faces(const ModelMesh& mesh, const std::v
     }
   }
   return exposed;
+}
+
+std::vector<std::uint8_t> find_split_faces(const ModelMesh& mesh,
+                                           const std::vector<std::array<std::int32_t, 6>>& neighbours) {
+  using Corners = std::array<std::int32_t, 4>;
+  using Place = std::pair<std::size_t, unsigned>;  // an element and its face
+  std::vector<std::uint8_t> split(neighbours.size(), 0);
+  std::map<Corners, Place> triangles;
+  std::vector<Place> quadrangles;
+  for (std::size_t e = 0; e < neighbours.size(); ++e) {
+    for (unsigned f = 0; f < 6; ++f) {
+      if (neighbours[e][f] != -1) continue;
+      const Corners key = face_key(face_of(mesh.hexahedra[e], f));
+      if (key[3] >= 0)
+        quadrangles.push_back({e, f});
+      else
+        triangles[key] = {e, f};
+    }
+  }
+  if (triangles.empty()) return split;
+  for (const auto& [e, f] : quadrangles) {
+    const Corners q = face_of(mesh.hexahedra[e], f);
+    const Point normal = face_normal(mesh, e, f);
+    for (std::size_t first = 0; first < 2; ++first) {  // the corner at which the diagonal begins
+      const auto half = [&](std::size_t second, std::size_t third) {
+        const auto found = triangles.find(face_key({q[first], q[second], q[third], q[third]}));
+        const bool opposite = found != triangles.end() &&
+                              dot(face_normal(mesh, found->second.first, found->second.second), normal) < -least_cosine;
+        return opposite ? &found->second : nullptr;
+      };
+      const Place* const one = half(first + 1, first + 2);
+      const Place* const other = half(first + 2, (first + 3) % 4);
+      if (one == nullptr || other == nullptr) continue;
+      for (const Place& place : {Place{e, f}, *one, *other}) split[place.first] |= 1U << place.second;
+    }
+  }
+  return split;
 }
 
 }  // namespace pinball

@@ -18,4 +18,9 @@ Point face_normal(const ModelMesh& mesh, std::size_t element, std::size_t face);
 std::vector<std::uint8_t> find_exposed_faces(const ModelMesh& mesh, const std::vector<PlaneConstraint>& symmetry,
                                              const std::vector<std::array<std::int32_t, 6>>& neighbours);
 
+/// The same bits of faces that have others on their other side than such of the same corners: quadrangles beside two
+/// triangles that have their corners, and these. Nothing in a mesh without triangles or without quadrangles.
+std::vector<std::uint8_t> find_split_faces(const ModelMesh& mesh,
+                                           const std::vector<std::array<std::int32_t, 6>>& neighbours);
+
 }  // namespace pinball

@@ -88,6 +88,48 @@ TEST(Pressure, OnABodyIsOnEveryExposedFaceOnce) {
   EXPECT_NEAR(volume, 12 * h * h * h, 1e-15);
 }
 
+/// Two cubes, one on the other, of which the upper one is cut into six tetrahedra: there two triangles lie on a
+/// quadrangle.
+ModelMesh half_cut_mesh() {
+  ModelMesh mesh = build_model<double>(scene_of({block("a", {1, 1, 2}, 1, {0, 0, 0})}, 1)).mesh;
+  const std::array<std::int32_t, 8> upper = mesh.hexahedra[1];
+  mesh.hexahedra.pop_back();
+  for (const auto& [a, b] : {std::pair{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}}) {
+    mesh.hexahedra.push_back({upper[0], upper[a], upper[b], upper[b], upper[6], upper[6], upper[6], upper[6]});
+  }
+  mesh.body.assign(mesh.hexahedra.size(), 0);
+  return mesh;
+}
+
+/// The outside is that of a box of height 2, closed: what lies inside is no face of it.
+TEST(Pressure, IsNotBetweenAQuadrangleAndItsTwoTriangles) {
+  ModelMesh mesh = half_cut_mesh();
+  const std::vector<PressedFace> faces = pressed_faces(mesh, {}, pressure_on("a", 1));
+  EXPECT_EQ(faces.size(), 5U + 10U);
+  for (const PressedFace& face : faces) {
+    const bool inside = std::ranges::all_of(face.corners, [&](std::int32_t n) { return mesh.nodes[n][2] == 1; });
+    EXPECT_FALSE(inside) << "of element " << face.element;
+  }
+  const auto node = [&](const Point& x) {
+    return static_cast<std::int32_t>(std::ranges::find(mesh.nodes, x) - mesh.nodes.begin());
+  };
+  const std::int32_t a = node({0, 0, 1}), b = node({1, 0, 1}), c = node({1, 1, 1}), d = node({0, 1, 1});
+  FileNodes file;
+  file.path = "a.k";
+  file.face_sets = {{1, "quadrangle", {{a, b, c, d}}, ""},
+                    {2, "triangles", {{a, b, c, c}, {a, c, d, d}}, ""},
+                    {3, "top", {{node({0, 0, 2}), node({1, 0, 2}), node({1, 1, 2}), node({1, 1, 2})}}, ""}};
+  mesh.files = {file};
+  mesh.file_of_body = {0};
+  Pressure pressure = pressure_on("a", 1);
+  for (const char* const set : {"quadrangle", "triangles"}) {
+    pressure.faces.set = set;
+    EXPECT_THAT(error_of([&] { pressed_faces(mesh, {}, pressure); }), testing::HasSubstr("lies between two")) << set;
+  }
+  pressure.faces.set = "top";
+  EXPECT_EQ(pressed_faces(mesh, {}, pressure).size(), 1U);
+}
+
 /// The faces of a set, whatever a set of nodes of the same name has, and of them those that all else selects.
 TEST(Pressure, OnASetOfFacesIsOnThese) {
   ModelMesh mesh = build_model<double>(scene_of({block("a", {2, 1, 1}, 1, {0, 0, 0})}, 1)).mesh;

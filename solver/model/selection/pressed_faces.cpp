@@ -65,8 +65,22 @@ void require_one_element_each(const ModelMesh& mesh, const Wanted& wanted, const
   }
 }
 
+/// Whether some elements have triangles for faces, and some quadrangles.
+bool has_both_faces(const ModelMesh& mesh) {
+  bool triangles = false, quadrangles = false;
+  for (std::array<std::int32_t, 8> corners : mesh.hexahedra) {
+    std::ranges::sort(corners);
+    const auto different = std::unique(corners.begin(), corners.end()) - corners.begin();
+    triangles = triangles || different < 8;
+    quadrangles = quadrangles || different > 4;
+  }
+  return triangles && quadrangles;
+}
+
 std::vector<PressedFace> faces_of(const ModelMesh& mesh, const FaceSet& set, const NodeSelection& selection) {
   Wanted wanted = wanted_faces(mesh, set);
+  std::vector<std::uint8_t> split(mesh.hexahedra.size(), 0);
+  if (has_both_faces(mesh)) split = find_split_faces(mesh, face_neighbours(mesh.hexahedra));
   std::vector<PressedFace> faces;
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     if (std::ranges::none_of(mesh.hexahedra[e], [&](std::int32_t n) { return wanted.nodes[n]; })) continue;
@@ -75,7 +89,7 @@ std::vector<PressedFace> faces_of(const ModelMesh& mesh, const FaceSet& set, con
       if (!all_marked(corners, wanted.nodes) || !has_area(corners)) continue;
       const auto found = wanted.found.find(face_key(corners));
       if (found == wanted.found.end()) continue;
-      ++found->second;
+      found->second += (split[e] >> f & 1U) != 0 ? 2 : 1;
       faces.push_back({static_cast<std::int64_t>(e), corners});
     }
   }
@@ -93,12 +107,15 @@ FaceSet listed_faces(const ModelMesh& mesh, const Pressure& pressure) {
 }
 
 std::vector<PressedFace> exposed_faces_of(const ModelMesh& mesh, const std::vector<PlaneConstraint>& symmetry) {
-  const std::vector<std::uint8_t> exposed = find_exposed_faces(mesh, symmetry, face_neighbours(mesh.hexahedra));
+  const std::vector<std::array<std::int32_t, 6>> neighbours = face_neighbours(mesh.hexahedra);
+  const std::vector<std::uint8_t> exposed = find_exposed_faces(mesh, symmetry, neighbours);
+  const std::vector<std::uint8_t> split = find_split_faces(mesh, neighbours);
   std::vector<PressedFace> faces;
   for (std::size_t e = 0; e < exposed.size(); ++e) {
     for (unsigned f = 0; f < 6; ++f) {
       const Corners corners = face_of(mesh.hexahedra[e], f);
-      if ((exposed[e] >> f & 1U) != 0 && has_area(corners)) faces.push_back({static_cast<std::int64_t>(e), corners});
+      const unsigned outside = exposed[e] & ~static_cast<unsigned>(split[e]);
+      if ((outside >> f & 1U) != 0 && has_area(corners)) faces.push_back({static_cast<std::int64_t>(e), corners});
     }
   }
   return faces;
