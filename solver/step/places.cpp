@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include <kernels/hourglass.hpp>
 #include <solver/model/model_surface.hpp>
 #include <solver/model/place_names.hpp>
 
@@ -13,38 +14,55 @@ namespace pinball {
 
 namespace {
 
-/// Square of what is kept of the hourglass modes, stresses or viscous forces, times the mass: in proportion to their
-/// energy where elements are alike.
-double kept_hourglass_energy(const ElementStore& elements, std::int64_t slot) {
+/// What the hourglass forces of an element have kept: 8/3 V_0/(kappa M) Z.Z (kernels/hourglass.hpp) [energy].
+template <class S>
+double kept_hourglass_energy(const ElementStore& elements, const ElementConstants<S>& constants, std::int64_t slot) {
   const int components = elements.hourglass_state.size() / elements.slots;
   double square = 0;
   for (int c = 0; c < components; ++c) {
-    const double p = elements.hourglass_state[elements.at(slot, c, components)];
-    square += p * p;
+    const double z = elements.hourglass_state[elements.at(slot, c, components)];
+    square += z * z;
   }
-  return square * elements.mass[slot];
+  const double modulus = constants.hourglass.modulus, volume = elements.mass[slot] * constants.specific_volume;
+  return modulus > 0 ? 8.0 / 3.0 * volume / modulus * square : 0.0;
 }
 
-/// Mass times square of the velocities of the hourglass modes.
+Vec3<double> vector_of(const auto* components) { return {components[0], components[1], components[2]}; }
+
+/// What viscous hourglass forces take of an element while a wave crosses it: 24 k m h.h of the rates h [energy]. The
+/// rates are none in a turn and in a uniform strain, whatever the shape of the element.
 template <class S>
-double moving_hourglass_energy(const Model<S>& model, std::int64_t slot) {
-  // Signs of the corners in the modes eta zeta, zeta xi, xi eta and xi eta zeta.
-  constexpr int xi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, eta[8] = {-1, -1, 1, 1, -1, -1, 1, 1};
-  constexpr int zeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
+double moving_hourglass_energy(const Model<S>& model, const ElementConstants<S>& constants, std::int64_t slot) {
   const std::array<std::int32_t, 8> corners = model.elements.corners(slot);
-  double square = 0;
-  for (int k = 0; k < 3; ++k) {
-    double mode[4] = {};
-    for (int i = 0; i < 8; ++i) {
-      const double v = model.nodes.velocity_of(corners[i])[k];
-      mode[0] += eta[i] * zeta[i] * v;
-      mode[1] += zeta[i] * xi[i] * v;
-      mode[2] += xi[i] * eta[i] * v;
-      mode[3] += xi[i] * eta[i] * zeta[i] * v;
-    }
-    for (const double m : mode) square += m * m;
+  Vec3<double> position[8], velocity[8];
+  for (std::size_t i = 0; i < 8; ++i) {
+    position[i] = vector_of(model.nodes.position_of(corners[i]));
+    velocity[i] = vector_of(model.nodes.velocity_of(corners[i]));
   }
-  return model.elements.mass[slot] * square;
+  const HexahedronModes<double> x = to_modes(position), v = to_modes(velocity);
+  const UniformGradient<double> gradient = uniform_gradient(x);
+  const double volume = hexahedron_volume(gradient, x);
+  if (!(volume > 0)) return 0;
+  const Tensor<double> change = velocity_gradient(gradient, v, 1 / volume);
+  double square = 0;
+  for (int a = 0; a < 4; ++a) {
+    const Vec3<double> rate = hourglass_rate(change, x, v, a);
+    square += dot(rate, rate);
+  }
+  return 24.0 * constants.hourglass.coefficient * model.elements.mass[slot] * square;
+}
+
+/// Of an element whose kernel has hourglass forces; else 0: of rigid bodies, tetrahedra and wedges, and without
+/// control.
+template <class S>
+double hourglass_energy(const Model<S>& model, std::int64_t slot) {
+  const std::size_t number = model.part_of_slot(slot);
+  const Part& part = model.parts[number];
+  const ElementConstants<S>& constants = model.constants[number];
+  const HourglassKind kind = part.features.hourglass;
+  if (part.rigid || part.features.tetrahedra || constants.averaged_volumes || kind == HourglassKind::none) return 0;
+  return keeps_hourglass_state(kind) ? kept_hourglass_energy(model.elements, constants, slot)
+                                     : moving_hourglass_energy(model, constants, slot);
 }
 
 }  // namespace
@@ -85,13 +103,11 @@ std::int64_t most_pushed_node(const Model<S>& model, const ContactAlgorithm<S>& 
 
 template <class S>
 std::int64_t most_hourglassed_slot(const Model<S>& model) {
-  const bool any_kept = std::any_of(model.parts.begin(), model.parts.end(),
-                                    [](const auto& part) { return keeps_hourglass_state(part.features.hourglass); });
   std::int64_t most = -1;
   double largest = 0;
   for (const std::int64_t slot : model.slot_of_element) {
     if (!model.elements.alive(slot)) continue;
-    const double energy = any_kept ? kept_hourglass_energy(model.elements, slot) : moving_hourglass_energy(model, slot);
+    const double energy = hourglass_energy(model, slot);
     if (!(energy > largest)) continue;
     largest = energy;
     most = slot;

@@ -18,8 +18,8 @@ std::string node_name(const Model<S>& model, std::int64_t node);
 /// Node of the store on which the last step's contact force was largest; negative where there was none.
 template <class S>
 std::int64_t most_pushed_node(const Model<S>& model, const ContactAlgorithm<S>& contact);
-/// Slot whose hourglass modes carry most energy, as far as the forces tell that are kept from step to step; with a form
-/// that keeps none that in which they move most. Negative where none does.
+/// Slot whose hourglass forces have most energy: what they have kept from step to step, or, of a form that keeps
+/// nothing, what they take while a wave crosses the element. Negative where there is none.
 template <class S>
 std::int64_t most_hourglassed_slot(const Model<S>& model);
 

@@ -65,6 +65,54 @@ TEST(Places, EveryKeptHourglassForceOfAnyElementIsSeen) {
   }
 }
 
+/// Whatever they do: of the three bodies one alone has elements with hourglass forces.
+TEST(Places, ElementsWithoutHourglassForcesAreNoneOfThem) {
+  for (const HourglassControl control : {HourglassControl::viscous, HourglassControl::assumed_strain}) {
+    Scene scene = cubes(4, control);
+    scene.bodies[0].elements = ElementShape::tetrahedra;
+    scene.bodies[1].element = scene.element;
+    scene.bodies[1].element->hourglass = HourglassControl::none;
+    scene.rigid_bodies.emplace_back().bodies = {"body2"};
+    Model<double> model = build_model<double>(scene);
+    for (std::size_t i = 0; i < model.nodes.velocity.size(); ++i) model.nodes.velocity[i] = (i * i * i) % 7;
+    for (std::size_t i = 0; i < model.elements.hourglass_state.size(); ++i) {
+      model.elements.hourglass_state[static_cast<std::int64_t>(i)] = static_cast<double>((i * i * i) % 5);
+    }
+    const std::int64_t last = model.slot_of_element.back();
+    EXPECT_EQ(most_hourglassed_slot(model), last);
+  }
+}
+
+/// Of the same stress a soft element has more energy.
+TEST(Places, KeptHourglassForcesCountByTheirEnergy) {
+  Scene scene = cubes(2, HourglassControl::stiffness);
+  Material& soft = scene.materials.emplace_back(elastic_material("soft"));
+  soft.bulk_modulus /= 1000;
+  soft.shear_modulus /= 1000;
+  scene.bodies[1].material = "soft";
+  Model<double> model = build_model<double>(scene);
+  for (const std::size_t e : {0, 1}) {
+    model.elements.hourglass_state[model.elements.at(model.slot_of_element[e], 0, 12)] = e == 0 ? 1.0 : 0.5;
+  }
+  EXPECT_EQ(most_hourglassed_slot(model), model.slot_of_element[1]);
+}
+
+/// A turn is none of the hourglass modes of an element, whatever its shape.
+TEST(Places, ATurningElementMovesNoHourglassModes) {
+  Scene scene = cubes(2, HourglassControl::viscous);
+  Model<double> model = build_model<double>(scene);
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const std::int32_t turning = model.node_of_scene_node[model.mesh.hexahedra[0][corner]],
+                       bent = model.node_of_scene_node[model.mesh.hexahedra[1][corner]];
+    double *const x = &model.nodes.position[4 * turning], *const v = &model.nodes.velocity[4 * turning];
+    x[0] *= 1 + 0.3 * x[1] + 0.2 * x[1] * x[2];
+    v[0] = -100 * x[1];
+    v[1] = 100 * x[0];
+    model.nodes.velocity[4 * bent] = 0.01 * mode_at(0, corner);
+  }
+  EXPECT_EQ(most_hourglassed_slot(model), model.slot_of_element[1]);
+}
+
 TEST(Places, AnyNodeHasItsName) {
   const Model<double> model = build_model<double>(cubes(2, HourglassControl::none));
   for (std::size_t n = 0; n < 16; ++n) {
