@@ -383,5 +383,13 @@ TEST(LookAtLayers, LeavesOutPlaneStrainAndWhatIsHeld) {
   EXPECT_THAT(look(held).unlikely, IsEmpty());
 }
 
+TEST(LookAtLayers, LeavesOutRigidBodies) {
+  Scene scene = struck_plate(1);
+  scene.rigid_bodies.emplace_back().bodies = {"b"};
+  EXPECT_THAT(look(scene).unlikely, IsEmpty());
+  scene.rigid_bodies[0].bodies = {"a"};
+  EXPECT_THAT(look(scene).unlikely, ElementsAre(HasSubstr("body b has one layer of elements")));
+}
+
 }  // namespace
 }  // namespace pinball::look_test

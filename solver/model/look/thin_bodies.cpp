@@ -56,6 +56,12 @@ struct Candidate {
   std::vector<std::size_t> elements;
 };
 
+bool is_of_rigid_body(const Scene& scene, const std::string& body) {
+  return std::ranges::any_of(scene.rigid_bodies, [&](const RigidBody& rigid) {
+    return std::ranges::find(rigid.bodies, body) != rigid.bodies.end();
+  });
+}
+
 std::vector<Candidate> candidates(const Scene& scene, const ModelMesh& mesh) {
   const std::vector<std::size_t> material = material_of_bodies(scene);
   std::vector<double> nodes(scene.bodies.size(), 0.0), elements(scene.bodies.size(), 0.0);
@@ -65,6 +71,7 @@ std::vector<Candidate> candidates(const Scene& scene, const ModelMesh& mesh) {
   std::vector<std::int32_t> place(scene.bodies.size(), -1);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (!scene.materials[material[b]].plastic || nodes[b] < nodes_of_layer * elements[b]) continue;
+    if (is_of_rigid_body(scene, scene.bodies[b].name)) continue;  // it does not bend
     place[b] = found.size();
     found.push_back({static_cast<std::int32_t>(b), {}});
   }
