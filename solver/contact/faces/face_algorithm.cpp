@@ -8,6 +8,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/lists_in_order.hpp>
+#include <solver/contact/impulses/rows_of_lists.hpp>
 
 namespace pinball {
 
@@ -252,9 +253,10 @@ void FaceAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double d
   find_rows(source, step);
   sphere_rows_.find(source, surface_, spheres_, lists_.spheres(), step);
   ImpulseSolver<S>& impulses = *this->impulses_;
-  impulses.begin_rows();
-  node_rows_.rows().give_to(impulses);
-  edge_rows_.rows().give_to(impulses);
+  std::vector<std::span<const FeatureRow>> lists;
+  node_rows_.rows().add_to(lists);
+  edge_rows_.rows().add_to(lists);
+  impulses.begin_rows(std::span<const std::span<const FeatureRow>>(lists));
   sphere_rows_.give_to(impulses);
   impulses.finish_rows(source, dt);
   note_depths();

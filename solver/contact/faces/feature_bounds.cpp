@@ -89,9 +89,9 @@ void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<
   // What has closed within the step just made is found, and what closes within the step after the horizon.
   horizon_ = scope.horizon + 2 * last_step_;
   const std::int32_t segments = surface.segments().size();
-  node_box_.resize(surface.slaves().size());
-  facing_.resize(surface.segments().size());
-  angle_on_way_.resize(surface.segments().size());
+  node_box_.renew(surface.slaves().size());
+  facing_.renew(surface.segments().size());
+  angle_on_way_.renew(surface.segments().size());
   boxes_.reset(segments + spheres.count());
   if (order_.empty()) {
     bound_segments(nodes, surface, scope, false);
@@ -355,8 +355,8 @@ Facing<S> FeatureBounds<S>::facing_of_all(std::span<const std::int32_t> segments
 template <class S>
 std::size_t FeatureBounds<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return boxes_.bytes() + of(node_box_) + of(facing_) + of(angle_on_way_) + of(order_) + of(place_) + of(around_) +
-         of(around_begin_) + directions_.bytes();
+  return boxes_.bytes() + node_box_.bytes() + facing_.bytes() + angle_on_way_.bytes() + of(order_) + of(place_) +
+         of(around_) + of(around_begin_) + directions_.bytes();
 }
 
 template class FeatureBounds<double>;

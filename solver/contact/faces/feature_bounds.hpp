@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <kernels/exec/array.hpp>
 #include <solver/contact/search/box_tree.hpp>
 #include <solver/contact/search/moving_boxes.hpp>
 #include <solver/contact/search/surface_motion.hpp>
@@ -91,9 +92,9 @@ class FeatureBounds {
   const SurfaceMotion<S>* motion_ = nullptr;
   S last_step_ = 0, leap_ = 0, horizon_ = 0;
   MovingBoxes<S> boxes_;
-  std::vector<MovingBox<S>> node_box_;
-  std::vector<Facing<S>> facing_;
-  std::vector<S> angle_on_way_;
+  Array<MovingBox<S>> node_box_;
+  Array<Facing<S>> facing_;
+  Array<S> angle_on_way_;
   std::vector<std::int32_t> order_, place_;  ///< segments in the order of their boxes; per segment: its box
   /// Segments around the nodes of those of each group, one group after the other, and where each begins.
   std::vector<std::int32_t> around_, around_begin_;

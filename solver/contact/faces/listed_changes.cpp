@@ -3,10 +3,19 @@
 #include <cmath>
 #include <span>
 
+#include <solver/base/lists_in_order.hpp>
+
 #include "feature_lists.hpp"
 
 /// What lists take in while they last: what erosion exposes, and what nodes meet that have strayed.
 namespace pinball {
+
+namespace {
+
+/// What is looked at of a segment that has changed: its corners, their boxes, and its edges.
+constexpr std::int64_t numbers_of_segment = 64;
+
+}  // namespace
 
 template <class S>
 void FeatureLists<S>::mark_changed(const SegmentSurface<S>& surface) {
@@ -150,12 +159,17 @@ void FeatureLists<S>::take_in_more(const SegmentSurface<S>& surface, const EdgeT
                                    const SphereSurface<S>& spheres) {
   pairs_.prepare_to_look_up(bounds_.boxes());
   looking_segments_.clear();
-  for (const std::int32_t s : near_segments_) {
-    if (!surface.active_segment(s)) continue;
+  const std::int64_t near = std::ssize(near_segments_);
+  for_all_of("changed segments", near, near * numbers_of_segment, [&](std::int64_t i) {
+    const std::int32_t s = near_segments_[i];
+    if (!surface.active_segment(s)) return;
     features_.forget(s);
     bounds_.renew_box(surface, s);
-    pairs_.include(bounds_.segment_box(s), bounds_.box_of_segment(s));
     changed_features_[s] = changed_features_of(surface, edges, s);
+  });
+  for (const std::int32_t s : near_segments_) {
+    if (!surface.active_segment(s)) continue;
+    pairs_.include(bounds_.segment_box(s), bounds_.box_of_segment(s));
     if (looks_anew(s)) looking_segments_.push_back(s);
   }
   find_near_pairs(surface, spheres);

@@ -95,9 +95,9 @@ class RowPieces {
       std::erase_if(pieces_[number].rows, [](const FeatureRow& row) { return row.dropped; });
     });
   }
-  template <class S>
-  void give_to(ImpulseSolver<S>& impulses) const {
-    for_each([&](const FeatureRow& row) { row.give_to(impulses); });
+  /// Adds the rows to lists of all, a piece after the other.
+  void add_to(std::vector<std::span<const FeatureRow>>& lists) const {
+    for (std::int64_t number = 0; number < count_; ++number) lists.emplace_back(pieces_[number].rows);
   }
   std::size_t bytes() const {
     std::size_t sum = 0;

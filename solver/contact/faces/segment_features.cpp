@@ -22,6 +22,20 @@ void SegmentFeatures<S>::ask_for(std::int32_t segment) {
   set_mark(asked_[segment]);
 }
 
+/// A half more than is needed, if there are some: few come at a time. Pages are touched first by who fills them.
+template <class S>
+void SegmentFeatures<S>::make_room(std::int64_t kept) {
+  if (static_cast<std::int64_t>(record_.size()) >= count_) return;
+  if (kept == 0) {
+    record_.renew(count_);
+    return;
+  }
+  Array<Record> larger;
+  larger.renew(count_ + count_ / 2);
+  parallel_for("records that stay", RangePolicy<>{0, kept}, [&](std::int64_t i) { larger[i] = record_[i]; });
+  record_ = std::move(larger);
+}
+
 /// Counts, scans and fills.
 template <class S>
 void SegmentFeatures<S>::collect(const FeatureBounds<S>& bounds, const SegmentSurface<S>& surface,
@@ -37,8 +51,9 @@ void SegmentFeatures<S>::collect(const FeatureBounds<S>& bounds, const SegmentSu
   parallel_for("segments with features", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     for_each_new(piece, [&](std::int32_t segment) { next[piece] += place_[segment] < 0 ? 1 : 0; });
   });
+  const std::int64_t kept = count_;
   for (std::int64_t& places : next) count_ += std::exchange(places, count_);
-  if (std::ssize(record_) < count_) record_.resize(count_);
+  make_room(kept);
   parallel_for("features of segments", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     for_each_new(piece, [&](std::int32_t segment) {
       if (place_[segment] < 0) place_[segment] = next[piece]++;
@@ -54,6 +69,7 @@ void SegmentFeatures<S>::collect_those_of(const PairOrder::Pieces& pairs, const 
                                           const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                                           FeaturesOf which) {
   few_.clear();
+  const std::int64_t kept = count_;
   const auto take = [this](std::int32_t segment) {
     if (known_[segment] != 0) return;
     known_[segment] = 1;
@@ -66,7 +82,7 @@ void SegmentFeatures<S>::collect_those_of(const PairOrder::Pieces& pairs, const 
       take(some.second[pair]);
     }
   }
-  if (std::ssize(record_) < count_) record_.resize(count_);
+  make_room(kept);
   constexpr std::int64_t numbers = sizeof(Record) / sizeof(S);
   for_all_of("features of few segments", std::ssize(few_), std::ssize(few_) * numbers,
              [&](std::int64_t i) { fill(record_[place_[few_[i]]], few_[i], bounds, surface, edges, which); });
@@ -95,8 +111,8 @@ void SegmentFeatures<S>::fill(Record& record, std::int32_t segment, const Featur
 
 template <class S>
 std::size_t SegmentFeatures<S>::bytes() const {
-  return record_.capacity() * sizeof(Record) + few_.capacity() * sizeof(few_[0]) +
-         place_.capacity() * sizeof(place_[0]) + asked_.capacity() + known_.capacity();
+  return record_.bytes() + few_.capacity() * sizeof(few_[0]) + place_.capacity() * sizeof(place_[0]) +
+         asked_.capacity() + known_.capacity();
 }
 
 template class SegmentFeatures<double>;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <kernels/ball_tree.hpp>
+#include <kernels/exec/array.hpp>
 #include <solver/contact/search/pair_order.hpp>
 #include <solver/contact/segments/edge_table.hpp>
 #include <solver/contact/segments/segment_surface.hpp>
@@ -66,13 +67,15 @@ class SegmentFeatures {
   };
   static_assert(ball_group<S> >= features);
 
+  /// Makes room for all records; `kept` of them, the first, stay.
+  void make_room(std::int64_t kept);
   static void fill(Record& record, std::int32_t segment, const FeatureBounds<S>& bounds,
                    const SegmentSurface<S>& surface, const EdgeTable<S>& edges, FeaturesOf which);
 
   std::int64_t count_ = 0;                   ///< of records
   std::vector<std::int64_t> place_;          ///< per segment: its record; negative: none
   std::vector<std::uint8_t> asked_, known_;  ///< per segment: it was asked for; what its record has holds
-  std::vector<Record> record_;               ///< with room for more
+  Array<Record> record_;                     ///< with room for more
   std::vector<std::int32_t> few_;            ///< segments whose records are made, kept for its memory
 };
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <solver/base/lists_in_order.hpp>
+
 #include "impulse_solver.hpp"
 #include "rigid_nodes_of_rows.hpp"
 
@@ -40,6 +42,18 @@ bool ImpulseSolver<S>::opens(std::int64_t k) const {
   return !is_bound(i) && pairs_[i].memory.force > 0 && (!rigid_ || has_free_node(rows_[i])) &&
          system_.impulse_as_added(k, iterations_.impulse(k)) <= little &&
          pairs_[i].rate_free + row.position_rate <= little * row.inverse_mass;
+}
+
+/// Finds opens_; returns whether there are any.
+template <class S>
+bool ImpulseSolver<S>::find_opening() {
+  opens_.resize(system_.size());
+  std::uint8_t any = 0;
+  for_all("rows that open", opens_.size(), [&](std::int64_t k) {
+    opens_[k] = opens(k) ? 1 : 0;
+    if (opens_[k] != 0) set_mark(any);
+  });
+  return any != 0;
 }
 
 /// Bound of the row sum of G M^-1 G^T over the rows that open, weighted by their last forces over that of row k
@@ -97,7 +111,7 @@ template <class S>
 void ImpulseSolver<S>::share_releases() {
   rigid_release_share_.assign(rigid_.sides->bodies.size(), 0);
   for (std::int32_t k = 0; k < system_.size(); ++k) {
-    if (!opens(k)) continue;
+    if (opens_[k] == 0) continue;
     const double force = pairs_[system_.original(k)].memory.force;
     for_rigid_entries(system_.entries(k), nodes_.data(), rigid_, [&](const RigidEntry& entry) {
       rigid_release_share_[rigid_.first_of(entry.body)] += std::sqrt(entry.most(rigid_.side(entry.body))) * force;
@@ -121,19 +135,17 @@ void ImpulseSolver<S>::move_by_releases() {
 /// its part of the last force. (Where rows outnumber nodes some hold nothing but round-off.)
 template <class S>
 void ImpulseSolver<S>::release(double velocity_step) {
-  bool any = false;
-  for (std::int32_t k = 0; k < system_.size() && !any; ++k) any = opens(k);
-  if (!any) return;
+  if (!find_opening()) return;
   release_share_.assign(nodes_.size(), 0);
   for_all("shares of rows that open", nodes_.size(), [&](std::int64_t place) {
     system_.for_rows_of(place, [&](std::int32_t k, double weight) {
-      if (opens(k)) release_share_[place] += std::abs(weight) * pairs_[system_.original(k)].memory.force;
+      if (opens_[k] != 0) release_share_[place] += std::abs(weight) * pairs_[system_.original(k)].memory.force;
     });
   });
   if (rigid_) share_releases();
   row_vector_.reset(4 * active_.size());
   for_all("release", active_.size(), [&](std::int64_t k) {
-    if (!opens(k)) return;
+    if (opens_[k] == 0) return;
     const double released = released_by(k, velocity_step);
     const Vec3<double> a = vector_of(rows_.rows[system_.original(k)].direction);
     if (released > 0) put_vector(record(row_vector_.data(), k), released * a);

@@ -1,10 +1,12 @@
 #include "impulse_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include <kernels/exec.hpp>
+#include <solver/base/lists_in_order.hpp>
 
 namespace pinball {
 
@@ -35,7 +37,7 @@ ImpulseSolver<S>::ImpulseSolver(const ContactSettings& settings, std::int32_t no
       contact_pairs_(pairs),
       has_friction_(settings.static_friction > 0 || settings.friction > 0 ||
                     (pairs != nullptr && pairs->has_friction())),
-      node_place_(node_count, -1),
+      node_place_(node_count, no_place),
       held_(std::move(held)) {}
 
 template <class S>
@@ -59,22 +61,15 @@ void ImpulseSolver<S>::add_row(std::int64_t first, std::int64_t second, const Ve
   pair.size = size;
   pair.memory.first = first;
   pair.memory.second = second;
-  // Rows mostly come in the order of the step before: first of all the memory behind that of the last row is tried.
-  std::size_t at = next_memory_;
-  if (at >= memory_.size() || !is_memory_of(at, first, second)) {
-    at = place_in_memory(first, second);
-    if (at == PairNames::none) return;
-  }
-  pair.memory = memory_[at];
-  next_memory_ = at + 1;
+  recall(pair.memory, next_memory_);
 }
 
 template <class S>
 void ImpulseSolver<S>::finish_rows(const SurfaceSource<S>& source, double dt) {
-  for (const std::int32_t n : node_) node_place_[n] = -1;
   // Each velocity is fetched once: a node has several rows.
   velocity_.renew(4 * node_.size());
   for_all("velocities of nodes", node_.size(), [&](std::int64_t i) {
+    node_place_[node_[i]] = no_place;
     const S* const v = source.v(node_[i]);
     for (int c = 0; c < 3; ++c) record(velocity_.data(), i)[c] = v[c];
   });
@@ -316,6 +311,31 @@ void ImpulseSolver<S>::solve_coupled(ImpulseResult& result) {
   result.unsolved = !solved.converged && !(solved.residual <= sound * solved.scale);
 }
 
+/// The first of the deepest.
+template <class S>
+void ImpulseSolver<S>::find_deepest(ImpulseResult& result) const {
+  struct Deepest {
+    double ratio;
+    std::size_t row;
+  };
+  std::array<Deepest, fixed_pieces> of_pieces;
+  const std::size_t rows = pairs_.size();
+  for_all_of("deepest rows", fixed_pieces, std::ssize(pairs_), [&](std::int64_t piece) {
+    Deepest deepest{0, 0};
+    const std::size_t end = rows * (piece + 1) / fixed_pieces;
+    for (std::size_t i = rows * piece / fixed_pieces; i < end; ++i) {
+      const double ratio = pairs_[i].seen / pairs_[i].size;
+      if (ratio > deepest.ratio) deepest = {ratio, i};
+    }
+    of_pieces[piece] = deepest;
+  });
+  for (const Deepest& deepest : of_pieces) {
+    if (!(deepest.ratio > result.penetration_ratio)) continue;
+    result.penetration_ratio = deepest.ratio;
+    result.deepest = node_[rows_[deepest.row].node[0]];
+  }
+}
+
 template <class S>
 ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const StepLengths& step,
                                       std::span<const NodeBound> bounds) {
@@ -328,12 +348,7 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
     pairs_.clear();
     pair_of_row_.clear();
   }
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const double ratio = pairs_[i].seen / pairs_[i].size;
-    if (!(ratio > result.penetration_ratio)) continue;
-    result.penetration_ratio = ratio;
-    result.deepest = node_[rows_[i].node[0]];
-  }
+  find_deepest(result);
   load_nodes(source, velocity_step);
   if (std::exchange(has_stopped_nodes_, false)) renew_rates_before(source);
   if (rigid_) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -71,6 +72,11 @@ class ImpulseSolver {
   }
   /// Begins the rows of the coming step (kernels/contact_row.hpp); those of the step before are gone.
   void begin_rows();
+  /// Begins with the rows of some lists, one list after the other: what add_row() and add_node() make of each. Row has
+  /// their arguments: first, second, direction, depth, size and pair; node and weight of its `nodes`, and
+  /// give_to(*this), which adds it by these.
+  template <class Row>
+  void begin_rows(std::span<const std::span<const Row>> lists);
   /// Adds the row of two things that may touch within the coming step; its nodes follow. Each pair has one row.
   /// first, second: names that the pair keeps from step to step; direction: from body 2 to body 1; depth: penetration
   /// at the present positions, or negative gap [length]; size: what the depth is compared with, R1 + R2 [length].
@@ -155,6 +161,25 @@ class ImpulseSolver {
   bool is_memory_of(std::size_t at, std::int64_t first, std::int64_t second) const {
     return memory_[at].first == first && memory_[at].second == second;
   }
+  /// The memory of a pair, which is looked for at `next` first: rows mostly come in the order of the step before.
+  void recall(PairMemory& memory, std::size_t& next) const {
+    std::size_t at = next;
+    if (at >= memory_.size() || !is_memory_of(at, memory.first, memory.second)) {
+      at = place_in_memory(memory.first, memory.second);
+      if (at == PairNames::none) return;
+    }
+    memory = memory_[at];
+    next = at + 1;
+  }
+  /// Entries of a row: its nodes of the store, each once, but for those without weight. Returns how many.
+  template <class Row>
+  static int entries_of(const Row& row, std::int32_t* node, double* weight);
+  template <class Row>
+  std::size_t put_rows(std::span<const Row> list, std::size_t number);
+  template <class Row>
+  void put_entries(std::span<const Row> list, std::size_t number, std::size_t first);
+  void number_nodes();
+
   double rigid_inverse_mass(std::size_t i, const Vec3<double>& direction) const;
   bool has_free_node(const RowView& row) const;
   double mobile_share(const SurfaceSource<S>& source, const RowView& row) const;
@@ -164,6 +189,7 @@ class ImpulseSolver {
     std::size_t row;
     int entry;
   };
+  static constexpr std::int32_t no_place = std::numeric_limits<std::int32_t>::max();
 
   void add_bounds(std::span<const NodeBound> bounds, double dt);
   void drop_bounds();
@@ -183,10 +209,12 @@ class ImpulseSolver {
   void build_system(double velocity_step);
   double rate_scale(std::size_t i) const;
   void solve_coupled(ImpulseResult& result);
+  void find_deepest(ImpulseResult& result) const;
   void set_budget();
   /// Energy that a pair may give back in this step.
   double budget_of(const Pair& pair) const { return budget_share_ * std::max(0.0, pair.memory.lost); }
   bool opens(std::int64_t k) const;
+  bool find_opening();
   double shared_inverse_mass(std::int64_t k) const;
   void share_releases();
   void move_by_releases();
@@ -243,6 +271,7 @@ class ImpulseSolver {
   RowSystem system_;                    ///< of the active rows
   ImpulseIterations iterations_;
   std::vector<ImpulseNode> nodes_;        ///< per entry of node_
+  std::vector<std::uint8_t> opens_;       ///< per row of system_
   std::vector<double> release_share_;     ///< per entry of nodes_: sum of |w| F over the rows that open [force]
   Array<double> row_vector_;              ///< records, of the rows of system_: what they release, then their forces
   Array<double> velocity_;                ///< records of four numbers, per entry of node_
@@ -251,7 +280,7 @@ class ImpulseSolver {
   std::vector<PairMemory> memory_;        ///< of the last step, in the order of its rows
   PairNames names_;                       ///< where the memory of a pair is
   std::size_t next_memory_ = 0;           ///< where that of the next row is looked for first
-  std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
+  std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or no_place
   HeldDirections held_;
   double taken_ = 0;         ///< energy that all pairs have taken out, but for friction [energy]
   double budget_share_ = 0;  ///< part of what a pair has taken out that it may give back [-]
@@ -264,7 +293,7 @@ inline void ImpulseSolver<S>::add_free_node(std::int32_t node, double weight) {
   const std::size_t number = rows_.size() - 1;
   ImpulseRow& row = rows_.rows[number];
   std::int32_t& place = node_place_[node];
-  if (place < 0) {
+  if (place == no_place) {
     place = node_.size();
     node_.push_back(node);
     last_entry_.push_back({number, -1});

@@ -11,7 +11,7 @@ void ImpulseSolver<S>::persist(StateArchive& archive, const SurfaceSource<S>& so
   archive(memory_, pending_, taken_, rows_.rows, rows_.node, rows_.weight, pairs_, node_);
   if (!archive.reads()) return;
   check(archive, source.node_count);
-  node_place_.assign(source.node_count, -1);
+  node_place_.assign(source.node_count, no_place);
   name_memory();
 }
 
@@ -40,8 +40,8 @@ std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return rows_.bytes() + system_.bytes() + iterations_.bytes() + velocity_.bytes() + row_vector_.bytes() +
          of(frictions_) + of(bound_friction_) + of(bounded_) + of(slid_) + of(most_friction_) + of(pairs_) +
-         of(active_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) + of(release_share_) + arm_.bytes() +
-         way_.bytes() + of(rigid_release_share_) + names_.bytes() + of(node_place_) + held_.bytes();
+         of(active_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) + of(release_share_) + of(opens_) +
+         arm_.bytes() + way_.bytes() + of(rigid_release_share_) + names_.bytes() + of(node_place_) + held_.bytes();
 }
 
 #define PINBALL_INSTANTIATE(S)                                                     \

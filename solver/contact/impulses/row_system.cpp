@@ -141,16 +141,19 @@ void RowSystem::sort_rigid_nodes() {
 
 /// Entries of the rows, in the order that they have here.
 void RowSystem::copy_entries() {
-  first_entry_.assign(1, 0);
-  for (const std::int32_t i : order_) first_entry_.push_back(first_entry_.back() + rows_->rows[i].nodes);
+  const std::int64_t rows = std::ssize(order_);
+  first_entry_.resize(rows + 1);
+  for_all_of("entries of rows", rows, rows, [&](std::int64_t k) { first_entry_[k] = rows_->rows[order_[k]].nodes; });
+  first_entry_[rows] = 0;
+  make_offsets(first_entry_);
   constants_.renew(order_.size());
   node_of_.renew(first_entry_.back());
   weight_of_.renew(node_of_.size());
-  for (std::size_t k = 0; k < order_.size(); ++k) {
+  for_all_of("copies of rows", rows, first_entry_.back(), [&](std::int64_t k) {
     const RowView row = (*rows_)[order_[k]];
     std::copy_n(row.node, row.nodes, node_of_.data() + first_entry_[k]);
     std::copy_n(row.weight, row.nodes, weight_of_.data() + first_entry_[k]);
-  }
+  });
 }
 
 void RowSystem::list_rows_of_nodes() {

@@ -66,8 +66,8 @@ void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
   }
   if (count_ != node_.size()) {
     count_ = node_.size();
-    start_.reset(6 * count_);
-    allowed2_.reset(count_);
+    start_.renew(6 * count_);
+    allowed2_.renew(count_);
   }
   parallel_for("start of nodes", RangePolicy<>{0, packs()}, [&](std::int64_t pack) {
     for (std::size_t place = pack * W; place < (pack + 1) * W; ++place) {

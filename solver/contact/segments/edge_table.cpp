@@ -43,25 +43,29 @@ std::int64_t add_ends(const SegmentSurface<S>& surface, std::int64_t slave, std:
 
 template <class S>
 void EdgeTable<S>::collect(const SegmentSurface<S>& surface) {
-  edges_of_.assign(surface.segments().size(), {-1, -1, -1, -1});
+  edges_of_.renew(surface.segments().size());
+  parallel_for("edges of segments", RangePolicy<>{0, std::ssize(surface.segments())}, [&](std::int64_t s) {
+    edges_of_[s] = {-1, -1, -1, -1};
+  });
   const std::int64_t slaves = std::ssize(surface.slaves());
-  std::vector<std::int64_t> first(slaves), ends_up_to(slaves);  // of the ends of its piece
+  first_.resize(slaves);
+  ends_up_to_.resize(slaves);
   std::array<std::vector<End>, fixed_pieces> found;
   parallel_for("edges of slaves", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const std::int64_t end = slaves * (piece + 1) / fixed_pieces;
     for (std::int64_t i = slaves * piece / fixed_pieces; i < end; ++i) {
-      first[i] = add_ends(surface, i, found[piece]);
-      ends_up_to[i] = std::ssize(found[piece]);
+      first_[i] = add_ends(surface, i, found[piece]);
+      ends_up_to_[i] = std::ssize(found[piece]);
     }
   });
-  edges_.resize(make_offsets(first));
+  edges_.renew(make_offsets(first_));
   parallel_for("edges", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const std::vector<End>& ends = found[piece];
     std::size_t e = 0;
     const std::int64_t end = slaves * (piece + 1) / fixed_pieces;
     for (std::int64_t i = slaves * piece / fixed_pieces; i < end; ++i) {
-      const auto up_to = static_cast<std::size_t>(ends_up_to[i]);
-      for (std::int64_t number = first[i]; e < up_to; ++number) {
+      const auto up_to = static_cast<std::size_t>(ends_up_to_[i]);
+      for (std::int64_t number = first_[i]; e < up_to; ++number) {
         const End& one = ends[e];
         Edge edge{{surface.slaves()[i].node, one.other}, {static_cast<std::int32_t>(i), one.slave}, {}};
         edge.segment.fill(-1);

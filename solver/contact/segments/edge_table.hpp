@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <kernels/exec/array.hpp>
+
 #include "segment_surface.hpp"
 
 namespace pinball {
@@ -23,7 +25,7 @@ class EdgeTable {
 
   /// Collects the edges of all segments anew.
   void collect(const SegmentSurface<S>& surface);
-  const std::vector<Edge>& edges() const { return edges_; }
+  std::span<const Edge> edges() const { return {edges_.data(), edges_.size()}; }
   /// By its nodes: keeps from collection to collection, and is the same whatever waits.
   static std::int64_t name_of(const Edge& edge) { return static_cast<std::int64_t>(edge.node[0]) << 31 | edge.node[1]; }
   /// Edges of a segment; -1 for a side of no length.
@@ -37,11 +39,16 @@ class EdgeTable {
     const std::int32_t *const a = edges_[e].node, *const b = edges_[f].node;
     return a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
   }
-  std::size_t bytes() const { return edges_.capacity() * sizeof(Edge) + edges_of_.capacity() * sizeof(edges_of_[0]); }
+  std::size_t bytes() const {
+    return edges_.bytes() + edges_of_.bytes() + (first_.capacity() + ends_up_to_.capacity()) * sizeof(first_[0]);
+  }
 
  private:
-  std::vector<Edge> edges_;
-  std::vector<std::array<std::int32_t, 4>> edges_of_;  ///< per segment
+  Array<Edge> edges_;
+  Array<std::array<std::int32_t, 4>> edges_of_;  ///< per segment
+  // Per slave, only while edges are collected; kept for their memory.
+  std::vector<std::int64_t> first_;       ///< number of its first edge
+  std::vector<std::int64_t> ends_up_to_;  ///< of the ends of its piece of the work
 };
 
 }  // namespace pinball

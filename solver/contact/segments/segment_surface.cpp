@@ -151,11 +151,13 @@ typename SegmentSurface<S>::Segment SegmentSurface<S>::segment_of(const ContactE
 template <class S>
 void SegmentSurface<S>::collect_slaves(std::size_t nodes) {
   const RangePolicy<> all{0, std::ssize(segments_)};
-  std::vector<std::int32_t> count(nodes), slave_of(nodes), nodes_of_slaves;
+  Array<std::int32_t> count(nodes), slave_of;
+  slave_of.renew(nodes);
+  std::vector<std::int32_t> nodes_of_slaves;
   parallel_for("segments around nodes", all, [&](std::int64_t s) {
     for (const std::int32_t node : segments_[s].node) count_one(count[node]);
   });
-  list_where("nodes of a surface", std::ssize(count), nodes_of_slaves,
+  list_where("nodes of a surface", static_cast<std::int64_t>(nodes), nodes_of_slaves,
              [&](std::int64_t node) { return count[node] != 0; });
   slaves_.resize(nodes_of_slaves.size());
   around_first_.resize(slaves_.size() + 1);
