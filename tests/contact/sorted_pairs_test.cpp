@@ -169,6 +169,11 @@ TEST(SortedPairs, TakeInMoreWhereThereIsRoom) {
         EXPECT_TRUE(std::equal(along.begin(), along.end(), list.first.begin()));
       }
       ASSERT_EQ(pairs_of(list), std::vector<Pair>(expected.begin(), expected.end()));
+      for (const Pair& pair : expected) ASSERT_TRUE(list.has(pair[0], pair[1]));
+      for (int n = 0; n < 1000; ++n) {
+        const Pair pair{static_cast<std::int32_t>(random() % 500), static_cast<std::int32_t>(random() % 300)};
+        ASSERT_EQ(list.has(pair[0], pair[1]), expected.count(pair) == 1);
+      }
       expect_whole_packs(list, 8, 500, 300);
       expect_firsts_in_one_piece(list);
     }

@@ -40,6 +40,7 @@ void SortedPairs::sort_few() {
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
+  next_.clear();
   pieces = {};
   pieces.count = 1;
   pieces.end[0] = pieces.places = pieces.entries = std::ssize(all);
@@ -63,23 +64,31 @@ void SortedPairs::sort_piece(std::int64_t piece, std::int32_t begin, std::int32_
     first[at] = pair.first;
     second[at] = pair.second;
   }
-  std::int64_t to = pieces.begin[piece];
-  for (std::int64_t at = to, next = to; at < pieces.end[piece]; at = next) {
-    const std::int32_t number = first[at];
-    next = next_[number];
+  std::int64_t to = pieces.begin[piece], at = to;
+  for (std::int32_t f = begin; f < end; ++f) {
+    const std::int64_t next = std::exchange(next_[f], to);
+    if (next == at) continue;
     std::sort(second.begin() + at, second.begin() + next);
     const std::int64_t count = std::unique(second.begin() + at, second.begin() + next) - (second.begin() + at);
     std::copy_n(second.begin() + at, count, second.begin() + to);
-    std::fill_n(first.begin() + to, count, number);
+    std::fill_n(first.begin() + to, count, f);
     to += count;
+    at = next;
+    next_[f] = to;
   }
   pieces.end[piece] = to;
+  came_[piece] = 0;
   std::fill(first.begin() + to, first.begin() + room_end(piece), 0);
   std::fill(second.begin() + to, second.begin() + room_end(piece), 0);
 }
 
 std::int64_t SortedPairs::place_in(std::int64_t piece, std::int32_t a, std::int32_t b) const {
   std::int64_t low = pieces.begin[piece], high = pieces.end[piece];
+  if (a < std::ssize(next_)) {
+    // Where the number before has its last one in this piece, and not in one behind it.
+    if (a > 0 && next_[a - 1] > low && next_[a - 1] < high) low = next_[a - 1];
+    high = std::min(high, next_[a] + came_[piece]);
+  }
   while (low < high) {
     const std::int64_t middle = (low + high) / 2;
     const bool before = std::pair(first[middle], second[middle]) < std::pair(a, b);
@@ -130,10 +139,17 @@ std::optional<ListRoom> SortedPairs::insert(const SortedPairs& more) {
     ++next;
   });
   for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
-    pieces.end[piece] += up_to[piece] - (piece > 0 ? up_to[piece - 1] : 0);
+    const std::int64_t came = up_to[piece] - (piece > 0 ? up_to[piece - 1] : 0);
+    pieces.end[piece] += came;
+    came_[piece] += came;
   }
   pieces.entries += more.pieces.entries;
   return room;
+}
+
+void SortedPairs::persist(StateArchive& archive) {
+  archive(pieces, first, second);
+  if (archive.reads()) next_.clear();
 }
 
 void SortedPairs::check(const StateArchive& archive, std::size_t firsts, std::size_t seconds,

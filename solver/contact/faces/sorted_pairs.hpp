@@ -89,7 +89,7 @@ class SortedPairs {
       for (std::int64_t at = pieces.begin[piece]; at < pieces.end[piece]; ++at) work(first[at], second[at]);
     }
   }
-  void persist(StateArchive& archive) { archive(pieces, first, second); }
+  void persist(StateArchive& archive);
   /// Of a list that was read, and holds: that it is one of as many firsts and seconds.
   void check(const StateArchive& archive, std::size_t firsts, std::size_t seconds, std::int64_t width) const;
   std::size_t bytes() const;
@@ -106,7 +106,10 @@ class SortedPairs {
   std::int64_t place_in(std::int64_t piece, std::int32_t a, std::int32_t b) const;
 
   PairOrder order_;
-  std::vector<std::int64_t> next_;  ///< per first: where its next pair goes
+  /// Per first: where its next pair goes, and in the end where its pairs ended when the list was made; empty: not
+  /// known.
+  std::vector<std::int64_t> next_;
+  std::array<std::int64_t, fixed_pieces> came_{};  ///< pairs that each piece has taken in since
 };
 
 }  // namespace pinball
