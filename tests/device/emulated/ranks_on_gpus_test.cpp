@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -105,6 +107,43 @@ TEST_F(RanksOnGpus, CopyForcesOnceThereAndOnceBack) {
 }
 
 TEST_F(RanksOnGpus, CopyNothingWhereMessagesReachTheDevice) { expect_in_a_step(3, true, 4, 3); }
+
+/// Blocks that do not meet yet: in a step whose lists hold forces alone cross of the nodes of the surface, those of
+/// each from one rank, to all, and what contact reads of its lists on any rank as on one. Of some steps the one in
+/// which least crosses.
+TEST_F(RanksOnGpus, CopyForcesOfTheSurfaceOnceInEachDirection) {
+  Scene scene =
+      scene_of({block("low", {8, 8, 8}, 0.01, {}), block("high", {8, 8, 8}, 0.01, {0.003, 0.002, 0.5})}, 1e-4);
+  for (Body& body : scene.bodies) body.velocity_gradient = {Point{40, 3, 0}, Point{0, -15, 2}, Point{5, 0, -12}};
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  scene.device = Device::cuda;
+  std::int64_t read_of_lists = 0;
+  for (const int ranks : {1, 2, 3}) {
+    SharedWork work;
+    std::int64_t there = std::numeric_limits<std::int64_t>::max(), back = there;
+    Counts before;
+    for (int steps = 5; steps < 14; ++steps) {
+      Counts all;
+      for (const Counts& of : counts_of(scene, ranks, steps, work, false)) {
+        all.to_device += of.to_device;
+        all.to_host += of.to_host;
+      }
+      if (steps > 5) {
+        there = std::min(there, all.to_device - before.to_device);
+        back = std::min(back, all.to_host - before.to_host);
+      }
+      before = all;
+    }
+    constexpr std::int64_t of_force = 24, of_record = 32;
+    EXPECT_GT(work.common_nodes, 700);
+    EXPECT_EQ(there, of_force * work.records + ranks * of_record * work.common_nodes);
+    const std::int64_t of_forces = of_force * work.records + of_record * work.common_nodes;
+    if (ranks == 1) read_of_lists = back - of_forces;
+    EXPECT_LT(read_of_lists, 1000);
+    EXPECT_EQ(back, of_forces + ranks * read_of_lists);
+  }
+}
 
 TEST_F(RanksOnGpus, HaveTheSameBitsWhereMessagesReachTheDevice) {
   const Scene scene = torn_on_gpu();
