@@ -92,6 +92,17 @@ TEST(NodeSelection, ThatIsNearlyMissedIsToldAtTheStart) {
   EXPECT_THAT(find_near_nodes(block_scene(), build_mesh(block_scene())), IsEmpty());
 }
 
+/// Also where nothing else of the scene asks where nodes lie.
+TEST(NodeSelection, OfRigidNodesIsRoundedAsAllOthers) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 1, {0, 0, 0})}, 1e-4, false);
+  AttachedNodes& end = scene.attached_nodes.emplace_back();
+  end.nodes = plane_x(2 + 9e-4);
+  EXPECT_EQ(select_nodes(build_mesh(scene), end.nodes).size(), 9u);
+  EXPECT_THAT(find_near_nodes(scene, build_mesh(scene)), IsEmpty());
+  end.nodes = plane_x(2.05);
+  EXPECT_THAT(find_near_nodes(scene, build_mesh(scene)), ElementsAre(HasSubstr("9 nodes within a tenth")));
+}
+
 TEST(NodeSelection, ThatIsFarFromAllNodesIsToldAtTheStart) {
   Scene scene = block_scene();
   scene.constraints[0].point = {70, 0, 0};

@@ -48,6 +48,12 @@ TEST_F(InfoBoundary, GivesAPrescribedMotionAsWhatItIs) {
   EXPECT_THAT(moved("quantity = \"acceleration\"\n"), HasSubstr("prescribed acceleration (0, 0, 3) m/s^2 of 8 nodes"));
 }
 
+TEST_F(InfoBoundary, GivesTheNodesThatGoWithARigidBody) {
+  EXPECT_THAT(info_of("[[rigid_body]]\nname = \"r\"\n[[rigid_nodes]]\nrigid_body = \"r\"\n"
+                      "plane = { point = [0.1, 0.0, 0.0], normal = [1.0, 0.0, 0.0] }\n"),
+              HasSubstr("with rigid body r: 4 nodes on the plane through (0.1, 0, 0)"));
+}
+
 TEST_F(InfoBoundary, GivesTheMotionOfARigidBodyAsWhatItIs) {
   const auto rigid = [this](const std::string& motion) {
     return info_of("[[rigid_body]]\nname = \"r\"\nbodies = [\"cube\"]\n[[rigid_motion]]\nrigid_body = \"r\"\n" +

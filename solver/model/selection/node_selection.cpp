@@ -128,6 +128,7 @@ bool selects_by_place(const Scene& scene) {
   };
   return !scene.constraints.empty() || !scene.rigid_walls.empty() ||
          any(scene.fixed_constraints, &FixedConstraint::nodes) || any(scene.equation_terms, &EquationTerm::nodes) ||
+         any(scene.attached_nodes, &AttachedNodes::nodes) ||
          any(scene.prescribed_velocities, &PrescribedVelocity::nodes) || any(scene.loads, &NodalLoad::nodes) ||
          any(scene.pressures, &Pressure::faces) || any(scene.point_masses, &PointMass::nodes) ||
          any(scene.initial_velocities, &InitialVelocity::nodes);

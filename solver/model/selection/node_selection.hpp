@@ -51,6 +51,7 @@ void for_each_selection_of_nodes(const Scene& scene, const Look& look) {
   for (const PlaneConstraint& plane : scene.constraints) look(nodes_of(plane));
   for (const FixedConstraint& fixed : scene.fixed_constraints) look(fixed.nodes);
   for (const EquationTerm& term : scene.equation_terms) look(term.nodes);
+  for (const AttachedNodes& attached : scene.attached_nodes) look(attached.nodes);
   for (const RigidWall& wall : scene.rigid_walls) look(nodes_of(wall));
   for (const PrescribedVelocity& given : scene.prescribed_velocities) look(given.nodes);
   for (const NodalLoad& load : scene.loads) look(load.nodes);

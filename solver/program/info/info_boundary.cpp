@@ -115,6 +115,8 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
     fmt::print("  equation {}: {:.6g} times the way along {} of {}\n", term.name, term.factor,
                vector_text(term.direction, ""), nodes_text(model.mesh, term.nodes));
   }
+  for (const AttachedNodes& attached : scene.attached_nodes)
+    fmt::print("  with rigid body {}: {}\n", attached.rigid_body, nodes_text(model.mesh, attached.nodes));
   for (const RigidWall& wall : scene.rigid_walls) {
     const NodeSelection nodes = nodes_of(wall);
     fmt::print("  rigid wall {}: through {}, free side along {}{}{}{}{}{}\n", wall.name,
