@@ -93,6 +93,28 @@ TEST_F(Converge, ListsOfNumbersGoWithMeshesThatAreSplit) {
   test::expect_bad_input(command("--quiet --only mesh"), "no node 18");
 }
 
+/// The top of a bar moves with a rigid body, by the numbers of its nodes: new nodes do, too.
+TEST_F(Converge, RigidNodesThatAreListedGoWithMeshesThatAreSplit) {
+  std::string deck = "*KEYWORD\n*NODE\n";
+  for (int i = 0; i < 12; ++i) deck += fmt::format("{},{},{},{}\n", i + 1, i % 2, i / 2 % 2, i / 4);
+  deck += "*ELEMENT_SOLID\n1,1,1,2,4,3,5,6,8,7\n2,1,5,6,8,7,9,10,12,11\n*SET_NODE_LIST\n3\n9,10,11,12\n*END\n";
+  std::ofstream(folder_ / "bar.k") << deck;
+  const auto displacements = [&](const std::string& nodes) {
+    std::ofstream(scene()) << "[time]\nend = 4e-3\n[[material]]\nname = \"m\"\nmodel = \"elastic\"\n"
+                              "density = 1e-3\nyoung_modulus = 1e3\npoisson_ratio = 0.25\n"
+                              "[[body]]\nname = \"bar\"\nmaterial = \"m\"\n"
+                              "mesh = { type = \"keyword\", file = \"bar.k\" }\n"
+                              "[[rigid_body]]\nname = \"top\"\nvelocity = [3, 0, 0]\n"
+                              "[[rigid_nodes]]\nrigid_body = \"top\"\n"
+                           << nodes << "[[probe]]\nname = \"corner\"\nnode = 9\nquantities = [\"displacement\"]\n";
+    const Finished done = converge("--quiet --only mesh --of corner_displacement_x");
+    EXPECT_EQ(done.status, 0) << done.text;
+    return of(json(), "corner_displacement_x")["values"];
+  };
+  const Json listed = displacements("nodes = [9, 10, 11, 12]\n");
+  EXPECT_EQ(displacements("set = \"3\"\n"), listed);
+}
+
 /// What chance does is known of scenes in which bodies, or nodes of bodies that deform, are rigid.
 TEST_F(Converge, ChanceMovesWhatIsRigid) {
   std::string text =

@@ -126,6 +126,17 @@ TEST(MeshFactor, RefusesWhatIsAnotherProblemOnAnotherMesh) {
   of_file.pressures[0].faces.set = "top";
   EXPECT_THAT(problem(of_file), HasSubstr("pressure.load.faces: expected faces alone"));
   of_file.pressures.clear();
+  of_file.equation_terms.resize(2);
+  of_file.equation_terms[0].nodes.nodes = {17, 18};
+  of_file.equation_terms[1].nodes.nodes = {27};
+  EXPECT_EQ(problem(of_file), no_error) << "each of the nodes is beside one";
+  of_file.equation_terms[1].nodes.nodes = {28, 27};
+  EXPECT_THAT(problem(of_file),
+              HasSubstr("equation.1: expected nodes of generated meshes, or one node, beside the "
+                        "nodes of equation.0: nothing says which of their new nodes belong together"));
+  of_file.equation_terms[1].name = "another";
+  EXPECT_EQ(problem(of_file), no_error);
+  of_file.equation_terms.clear();
   of_file.probes.resize(1);
   of_file.probes[0].number = 17;
   EXPECT_EQ(problem(of_file), no_error) << "a node keeps its number";

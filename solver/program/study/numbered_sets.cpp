@@ -28,6 +28,7 @@ void for_each_list(SceneOrConst& scene, const Visit& visit) {
   const auto nodes = [](auto& item) -> auto& { return item.nodes; };
   all(scene.fixed_constraints, "constraint", nodes);
   all(scene.equation_terms, "equation", nodes);
+  all(scene.attached_nodes, "rigid_nodes", nodes);
   all(scene.rigid_walls, "rigid_wall", nodes);
   all(scene.prescribed_velocities, "prescribed_velocity", nodes);
   all(scene.loads, "load", nodes);
@@ -111,6 +112,32 @@ void name_sets(Scene& scene) {
   }
 }
 
+bool is_one_node(const NodeSelection& selection) { return selection.nearest || selection.nodes.size() == 1; }
+
+/// Whether some of its nodes may be of a mesh whose elements are split.
+bool may_be_split(const Scene& scene, const NodeSelection& selection) {
+  return std::ranges::any_of(scene.bodies, [&selection](const Body& body) {
+    return (selection.body.empty() || selection.body == body.name) && std::holds_alternative<FileMesh>(body.mesh);
+  });
+}
+
+/// Terms of an equation have their nodes in an order, in which new ones have no place.
+void require_pairs_that_carry(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.equation_terms.size(); ++i) {
+    const EquationTerm& term = scene.equation_terms[i];
+    if (is_one_node(term.nodes)) continue;
+    for (std::size_t other = 0; other < i; ++other) {
+      const EquationTerm& before = scene.equation_terms[other];
+      if (before.name != term.name || is_one_node(before.nodes)) continue;
+      if (!may_be_split(scene, term.nodes) && !may_be_split(scene, before.nodes)) continue;
+      throw InputError(
+          fmt::format("equation.{}: expected nodes of generated meshes, or one node, beside the nodes of equation.{}: "
+                      "nothing says which of their new nodes belong together where the elements of a file are split",
+                      i, other));
+    }
+  }
+}
+
 bool are_of_one_file(const FileMesh& a, const FileMesh& b) {
   return a.file == b.file && a.format == b.format && a.chosen_case == b.chosen_case;
 }
@@ -154,6 +181,7 @@ void require_numbers_that_carry(const Scene& scene) {
     if (pressure.corners.empty() || (pressure.faces.set.empty() && pressure.faces.nodes.empty())) continue;
     fail(fmt::format("pressure.{}.faces", pressure.name), "faces alone where the elements of a file are split");
   }
+  require_pairs_that_carry(scene);
   for (const Probe& probe : scene.probes) {
     if (!probe.number || probe.kind != ProbeKind::element) continue;
     fail(fmt::format("probe.{}.element", probe.name),

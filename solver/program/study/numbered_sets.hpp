@@ -10,8 +10,8 @@ namespace pinball {
 /// for a number that the file does not have.
 void carry_numbers(Scene& scene);
 
-/// Throws InputError that names the key of a list that cannot be carried: of an element, which becomes eight, and of
-/// nodes that have to be in a set, too.
+/// Throws InputError that names the key of a list that cannot be carried: of an element, which becomes eight, of
+/// nodes that have to be in a set, too, and an equation that pairs the nodes of lists or sets.
 void require_numbers_that_carry(const Scene& scene);
 
 }  // namespace pinball
