@@ -11,6 +11,7 @@
 
 #include "driven_motion.hpp"
 #include "initial_motion.hpp"
+#include "led_movers.hpp"
 
 namespace pinball {
 
@@ -307,60 +308,6 @@ void meet_walls(const Scene& scene, const std::vector<double>& times, const std:
   }
 }
 
-/// The movers that each joint joins; of the ground it knows none.
-std::vector<std::vector<std::size_t>> jointed_movers(const Scene& scene, const ModelMesh& mesh,
-                                                     const std::vector<std::int32_t>& group) {
-  std::vector<std::vector<std::size_t>> all;
-  for (const Joint& joint : scene.joints) {
-    std::vector<std::size_t>& movers = all.emplace_back();
-    for (const std::string& name : joint.bodies) {
-      const auto rigid = std::ranges::find(scene.rigid_bodies, name, &RigidBody::name);
-      if (rigid != scene.rigid_bodies.end()) movers.push_back(group[body_with(scene, mesh, *rigid)]);
-    }
-  }
-  return all;
-}
-
-/// Bodies that hang together by joints go where these lead them, to any side: as far as one of them would by itself,
-/// and as they all are long. Those that nothing moves stay.
-void let_joints_lead(const std::vector<std::vector<std::size_t>>& joints, const std::vector<DrivenMotion>& driven,
-                     Movers& movers) {
-  std::vector<std::size_t> first(movers.all.size());
-  std::iota(first.begin(), first.end(), 0);
-  const auto root = [&first](std::size_t m) {
-    while (first[m] != m) m = first[m];
-    return m;
-  };
-  for (const std::vector<std::size_t>& joint : joints) {
-    for (const std::size_t m : joint)
-      first[std::max(root(m), root(joint.front()))] = std::min(root(m), root(joint.front()));
-  }
-  std::vector<bool> moves(movers.all.size(), false), is_jointed(movers.all.size(), false);
-  std::vector<double> length(movers.all.size(), 0), speed = length;
-  for (const std::vector<std::size_t>& joint : joints) {
-    for (const std::size_t m : joint) is_jointed[m] = true;
-  }
-  for (std::size_t m = 0; m < movers.all.size(); ++m) {
-    const Mover& own = movers.all[m];
-    if (!is_jointed[m]) continue;
-    moves[root(m)] = moves[root(m)] || own.speed > 0 || own.strayed.back().reach() > 0 || driven[m].turned > 0;
-    length[root(m)] += std::sqrt(3.0) * own.box.size();
-    speed[root(m)] = std::max(speed[root(m)], own.speed);
-  }
-  for (std::size_t j = 0; j < movers.times.size(); ++j) {
-    std::vector<double> furthest(movers.all.size(), 0);
-    for (std::size_t m = 0; m < movers.all.size(); ++m)
-      furthest[root(m)] = std::max(furthest[root(m)], movers.all[m].strayed[j].reach());
-    for (std::size_t m = 0; m < movers.all.size(); ++m) {
-      Mover& own = movers.all[m];
-      if (!is_jointed[m] || own.held || !moves[root(m)] || j == 0) continue;
-      const double way = furthest[root(m)] + length[root(m)];
-      own.strayed[j].take(Extent{{-way, -way, -way}, {way, way, way}});
-      own.speed = std::max(own.speed, speed[root(m)]);
-    }
-  }
-}
-
 }  // namespace
 
 Movers find_movers(const Scene& scene, const ModelMesh& mesh) {
@@ -394,7 +341,7 @@ Movers find_movers(const Scene& scene, const ModelMesh& mesh) {
     const bool moves = mover.speed > 0 || mover.turns || std::ranges::any_of(mover.strayed, goes);
     movers.anything_moves = movers.anything_moves || (moves && !mover.held);
   }
-  if (!scene.joints.empty()) let_joints_lead(jointed_movers(scene, mesh, groups.group), driven, movers);
+  let_others_lead(leads_of(scene, mesh, groups.group), driven, movers);
   return movers;
 }
 
