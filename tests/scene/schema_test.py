@@ -117,6 +117,13 @@ class Schema(unittest.TestCase):
     def test_is_a_schema(self):
         jsonschema.Draft7Validator.check_schema(SCHEMA)
 
+    def test_defaults_are_values_that_keys_may_have(self):
+        for place, table in SCHEMA["definitions"].items():
+            for key, value in table.get("properties", {}).items():
+                if "default" in value:
+                    with self.subTest(f"{place}.{key}"):
+                        validator_of(value).validate(value["default"])
+
     def test_takes_all_scenes_that_come_along(self):
         scenes = sorted((ROOT / "data/scenes").glob("*.toml"))
         for deck in [*(ROOT / "data/decks").glob("*.k"), *(ROOT / "data/decks/abaqus").glob("*.inp")]:

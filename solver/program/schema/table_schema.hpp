@@ -16,6 +16,8 @@ SchemaJson default_of(const Value& value, const schema::AnyKey& key) {
   if (key.about.need != schema::Need::optional || schema::is_unset(value, key.about)) return nullptr;
   if constexpr (schema::HasChoices<Value>) {
     return schema::name_of(value);
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return *key.about.yes ? SchemaJson(value ? key.about.yes : key.about.no) : SchemaJson(value);
   } else if constexpr (std::is_same_v<Value, std::string> || requires { std::tuple_size<Value>::value; } ||
                        std::is_arithmetic_v<Value> || std::is_same_v<Value, std::vector<std::string>> ||
                        std::is_same_v<Value, std::vector<double>>) {
