@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace pinball {
 
@@ -37,13 +38,33 @@ double flow_stress(const Material& m) {
   return m.yield_stress + (m.johnson_cook ? m.johnson_cook->hardening_coefficient : 0.0);
 }
 
+/// Strain at which a material erodes, as far as one number says so: by Johnson and Cook's failure that of a bar under
+/// tension, D1 + D2 exp(D3/3); infinite where nothing limits it [-].
+double eroded_strain(const Material& m) {
+  double least = HUGE_VAL;
+  const auto take = [&least](double strain) {
+    if (strain > 0) least = std::min(least, strain);
+  };
+  take(m.erosion_strain);
+  if (m.johnson_cook && m.johnson_cook->failure.size() > 2) {
+    const std::vector<double>& d = m.johnson_cook->failure;
+    take(d[0] + d[1] * std::exp(d[2] / 3));
+  }
+  if (m.erosion) {
+    take(m.erosion->principal_strain);
+    take(m.erosion->shear_strain);
+  }
+  return least;
+}
+
 /// By how much the steps of a run are smaller than its first, in the mean.
 double shrinking(const Scene& scene, double speed) {
   double most = 1;
   for (const Material& m : scene.materials) {
     if (!m.plastic || m.fluid) continue;
     double strain = strain_of_impact * m.density * speed * speed / flow_stress(m);
-    if (m.erosion_strain > 0) strain = speed > 0 ? std::min(strain, m.erosion_strain) : m.erosion_strain;
+    const double most_of_it = eroded_strain(m);
+    if (std::isfinite(most_of_it)) strain = speed > 0 ? std::min(strain, most_of_it) : most_of_it;
     most = std::max(most, std::exp(strain_share * std::min(strain, most_strain)));
   }
   return most;

@@ -47,6 +47,23 @@ TEST(Forecast, HasStepsThatShrinkByWhatAnImpactMakesOfElements) {
   EXPECT_NEAR(factor(1, 0.5, 100), std::exp(0.6 * 0.5), 0.02) << "eroded before";
 }
 
+TEST(Forecast, KnowsEachStrainAtWhichAMaterialErodes) {
+  const auto factor = [](const auto& change) {
+    Scene scene = scene_of(1, 0);
+    change(scene.materials[0]);
+    return after(Forecast(scene, 100, 0), 2).steps / 1000;
+  };
+  const double unlimited = factor([](Material&) {});
+  const auto fails = [](Material& m) {
+    m.johnson_cook.emplace();
+    m.johnson_cook->failure = {0.05, 3.44, -2.12, 0.002, 0.61};  // 1.75 under tension
+  };
+  EXPECT_NEAR(factor(fails), std::exp(0.6 * 1.747), 0.05);
+  EXPECT_NEAR(factor([](Material& m) { m.erosion = {.principal_strain = 0.8}; }), std::exp(0.6 * 0.8), 0.02);
+  EXPECT_NEAR(factor([](Material& m) { m.erosion = {.shear_strain = 0.4}; }), std::exp(0.6 * 0.4), 0.02);
+  EXPECT_EQ(factor([](Material& m) { m.erosion = {.tension = 1}; }), unlimited);
+}
+
 TEST(Forecast, HasElementsThatComeToYield) {
   const ExpectedRun elastic = after(Forecast(scene_of(1e9, 0), 0, 0), 2);
   const ExpectedRun yields = after(Forecast(scene_of(3.5, 0), 1, 0), 2);
