@@ -50,7 +50,7 @@ struct ElementView {
   S* mass;                     ///< N = 1: of the material [mass]; 0 marks padding and eroded elements
   S* stress;                   ///< N = 6: xx yy zz xy yz zx [stress]
   S* plastic_strain;           ///< N = 1, plastic only [-]
-  S* hourglass_state;          ///< N = 12, but without hourglass control: of KeptHourglass [stress], or forces
+  S* hourglass_state;          ///< N = 12, missing without hourglass control: of KeptHourglass [stress], or forces
   S* viscous_stress;           ///< N = 1: bulk viscosity of the previous step, bulk_viscosity only [stress]
   S* internal_energy;          ///< N = 1, erosion only; may be missing where nothing erodes [energy]
   /// N = material_numbers: what laws of materials keep from step to step, each in its place (MaterialPlaces); general

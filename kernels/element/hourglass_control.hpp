@@ -115,12 +115,14 @@ class HourglassStep {
     const T impedance = T(constants.hourglass.coefficient * constants.material.sound_speed * inverse_dt) * density;
     T factor = hourglass_viscosity(impedance, area);
     if constexpr (features.erosion) factor = select(fails, T(0), factor);
+    PINBALL_UNROLL
+    for (int a = 0; a < 4; ++a) force.p[a] = factor * h_[a];
+    if (own.arrays.hourglass_state == nullptr) return;  // without control, whose factor is zero
     const ElementNumbers<T, L> kept_forces = state(own);
     T done(0);
     PINBALL_UNROLL
     for (int a = 0; a < 4; ++a) {
       const Vec3<T> before{kept_forces.get(3 * a), kept_forces.get(3 * a + 1), kept_forces.get(3 * a + 2)};
-      force.p[a] = factor * h_[a];
       done += dot(before + force.p[a], h_[a]);
       kept_forces.set(3 * a, force.p[a].x);
       kept_forces.set(3 * a + 1, force.p[a].y);

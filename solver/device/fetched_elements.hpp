@@ -61,7 +61,7 @@ class FetchedElements {
     view.mass = memory_.mass[turn_];
     view.stress = memory_.stress;
     view.plastic_strain = memory_.plastic_strain;
-    view.hourglass_state = memory_.hourglass_state;
+    if (elements_.hourglass_state != nullptr) view.hourglass_state = memory_.hourglass_state;
     if (elements_.viscous_stress != nullptr) view.viscous_stress = memory_.viscous_stress;
     if (elements_.internal_energy != nullptr) view.internal_energy = memory_.internal_energy;
     if (elements_.material_state != nullptr) view.material_state += begin * elements_.material_numbers;
@@ -95,7 +95,10 @@ class FetchedElements {
   __device__ void for_each_array(const Visit& visit) const {
     visit.template operator()<6>(memory_.stress, elements_.stress);
     if constexpr (features.plastic) visit.template operator()<1>(memory_.plastic_strain, elements_.plastic_strain);
-    if constexpr (keeps_modes) visit.template operator()<12>(memory_.hourglass_state, elements_.hourglass_state);
+    if constexpr (keeps_modes) {
+      if (elements_.hourglass_state != nullptr)
+        visit.template operator()<12>(memory_.hourglass_state, elements_.hourglass_state);
+    }
     if constexpr (features.bulk_viscosity) {
       if (elements_.viscous_stress != nullptr) {
         visit.template operator()<1>(memory_.viscous_stress, elements_.viscous_stress);

@@ -85,9 +85,11 @@ void average_volumes(ElementFeatures& f, WorkedShape shape) {
   f.hourglass = HourglassKind::none;
 }
 
-/// Elements without hourglass control have the kernels of the viscous form (elements/element_features.hpp), whose
-/// forces are zero then.
-bool stores_modes(const ElementFeatures& f) { return built::hourglass && !f.tetrahedra; }
+/// Elements without hourglass control have the kernels of the viscous form (elements/element_features.hpp), but none of
+/// its numbers.
+bool stores_modes(const ElementFeatures& f) {
+  return built::hourglass && !f.tetrahedra && f.hourglass != HourglassKind::none;
+}
 
 bool averages_volumes(const ElementPart& part) { return part.shape != WorkedShape::hexahedron; }
 

@@ -51,5 +51,19 @@ TEST(HourglassForms, BalanceTheEnergyOfModesThatAreNoise) {
   }
 }
 
+TEST(HourglassForms, StoreWhatAnyOfTheBodiesNeeds) {
+  const auto numbers = [](HourglassControl form) {
+    Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1e-4, false);
+    scene.element.hourglass = form;
+    scene.element.hourglass_coefficient = default_hourglass_coefficient(form);
+    Solver<double> solver(scene);
+    solver.step();
+    return solver.model().elements.hourglass_state.size() / solver.model().elements.slots;
+  };
+  EXPECT_EQ(numbers(HourglassControl::none), 0);
+  EXPECT_EQ(numbers(HourglassControl::viscous), 12);
+  EXPECT_EQ(numbers(HourglassControl::assumed_strain), 12);
+}
+
 }  // namespace
 }  // namespace pinball::hourglass_forms_test
