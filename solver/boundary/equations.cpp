@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include <solver/base/error.hpp>
@@ -23,6 +24,9 @@ constexpr double zero_pivot = 1e-9;
 
 /// Of the sizes of the terms: a larger sum is no round-off.
 constexpr double not_kept = 1e-5;
+/// Of the largest velocity of all nodes of equations: what is smaller is what sums of this precision are rounded by.
+template <class S>
+constexpr double rounded_off = std::is_same_v<S, float> ? 1e-5 : 1e-11;
 
 Point times(const std::array<Point, 3>& matrix, const Point& x) {
   return {dot(matrix[0], x), dot(matrix[1], x), dot(matrix[2], x)};
@@ -215,17 +219,18 @@ double Equations<S>::leap(const Model<S>& model) const {
 
 /// Of the rows that have been left out: others decide on them, or what holds and moves nodes.
 template <class S>
-void Equations<S>::require_kept(const std::vector<Point>& velocity) const {
+void Equations<S>::require_kept(const std::vector<Point>& velocity, double fastest) const {
   for (const std::int32_t row : left_out_) {
-    double sum = 0, size = 0;
+    double sum = 0, size = 0, most = 0;
     for (std::int32_t p = rows_[row].first; p < rows_[row].last; ++p) {
       const Point& v = velocity[parts_[p].at];
       for (std::size_t k = 0; k < 3; ++k) {
         sum += parts_[p].coefficient[k] * v[k];
         size += std::abs(parts_[p].coefficient[k] * v[k]);
+        most += std::abs(parts_[p].coefficient[k]) * fastest;
       }
     }
-    if (std::abs(sum) > not_kept * size) {
+    if (std::abs(sum) > std::max(not_kept * size, rounded_off<S> * most)) {
       throw RunError(
           fmt::format("{}: the equation cannot hold, for other equations, constraints and prescribed "
                       "velocities say of all its nodes how they move: leave one of these out",
@@ -242,11 +247,13 @@ void Equations<S>::add_forces(Model<S>& model, const StepLengths& step) {
   if (!(h > 0)) return;
   if (take_masses(model)) find_groups();
   std::vector<Point> velocity;
+  double fastest = 0;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const S *const v = record(model.nodes.velocity.data(), nodes_[i]), *const f =
                                                                            record(model.nodes.force.data(), nodes_[i]);
     Point& then = velocity.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) then[k] = v[k] + h * inverse_mass_[i] * f[k];
+    fastest = std::max(fastest, norm(then));
   }
   const std::vector<Point> impulse = changes(velocity);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -260,7 +267,7 @@ void Equations<S>::add_forces(Model<S>& model, const StepLengths& step) {
       f[k] = static_cast<S>(f[k] + force);
     }
   }
-  require_kept(velocity);
+  require_kept(velocity, fastest);
 }
 
 template <class S>

@@ -81,7 +81,8 @@ class Equations {
   void factorize(Group& group);
   bool take_masses(const Model<S>& model);
   std::vector<Point> changes(const std::vector<Point>& velocity) const;
-  void require_kept(const std::vector<Point>& velocity) const;
+  /// fastest: of the velocities before they were changed, of which what cancels is rounded.
+  void require_kept(const std::vector<Point>& velocity, double fastest) const;
 
   std::vector<std::string> where_;  ///< per row
   std::vector<Row> rows_;

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -146,6 +147,27 @@ TEST(Equation, ThatCannotHoldStopsTheRun) {
   scene.prescribed_velocities[1].velocity = {1, 2, 3.01};
   Solver<double> opposed(scene);
   EXPECT_THAT(error_of<RunError>([&] { run(opposed); }), HasSubstr("the equation cannot hold"));
+}
+
+/// Edges and corners of a cell have equations that follow from others, and move by what has cancelled at first.
+TEST(Equation, OfAllFacesOfACellThatIsPushedInItsMiddle) {
+  Scene scene = scene_of({block("a", {4, 4, 4}, 0.1, {0, 0, 0})}, 4e-4, false);
+  for (std::size_t side = 0; side < 3; ++side) {
+    const Point far{side == 0 ? 0.4 : 0, side == 1 ? 0.4 : 0, side == 2 ? 0.4 : 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string name = fmt::format("{} {}", side, k);
+      scene.equation_terms.push_back(term(name, axes[k], 1, "a", Plane{far, axes[side]}));
+      scene.equation_terms.push_back(term(name, axes[k], -1, "a", Plane{{0, 0, 0}, axes[side]}));
+    }
+  }
+  NodalLoad push;
+  push.nodes.nearest = Point{0.2, 0.2, 0.2};
+  push.force = {1e3, 0, 0};
+  scene.loads = {push};
+  Solver<double> solver(scene);
+  EXPECT_LT(worst_balance_of_run(solver), 1e-10);
+  const double mass = 0.4 * 0.4 * 0.4 * 7850;
+  EXPECT_NEAR(velocity_of(solver, 0)[0] / (1e3 * solver.time() / mass), 1, 0.5) << "it goes as one";
 }
 
 /// Those that say what others say, or nothing, change nothing.
