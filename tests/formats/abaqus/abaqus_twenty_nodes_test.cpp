@@ -71,6 +71,17 @@ TEST_F(AbaqusTwentyNodes, AreEightOfEightNodes) {
               testing::Contains(HasSubstr("2 hexahedra of twenty nodes, each as eight of eight nodes")));
 }
 
+/// The nodes in the middles of faces are not the deck's: which of two sets belong together is not known.
+TEST_F(AbaqusTwentyNodes, AreNotPairedByEquationsOfSets) {
+  const std::string head = "*NSET, NSET=head\n19, 20, 21, 22, 24, 25, 26, 27\n",
+                    paired = "*EQUATION\n2\nhead, 3, 1., foot, 3, -1.\n",
+                    led = "*EQUATION\n2\nhead, 3, 1., 1, 3, -1.\n";
+  EXPECT_THAT(error(deck_of(1, "", head + paired)),
+              HasSubstr("*EQUATION of pairs of nodes of two sets on elements of twenty nodes"));
+  EXPECT_THAT(error(deck_of(1, "", head + "*MPC\nPIN, head, foot\n")), HasSubstr("*MPC of pairs of nodes"));
+  EXPECT_EQ(scene(deck_of(1, "", head + led)).equation_terms.size(), 2u);
+}
+
 /// Of a face that bends: its middle is half of what its edge is from where it was, that of the element a quarter.
 TEST_F(AbaqusTwentyNodes, GetNodesWhereShapeFunctionsHaveThem) {
   const Model<double> model = build_model<double>(scene(deck_of(1, "", "", 0.4)));

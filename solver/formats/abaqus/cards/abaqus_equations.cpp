@@ -41,6 +41,18 @@ std::vector<std::int64_t> numbers_of_solids(AbaqusData& data, const AbaqusBlock&
   return numbers;
 }
 
+/// Of a set of several nodes that is paired with another one, node by node. What stands for elements of twenty nodes
+/// has nodes in the middles of faces, numbered as it comes, which find no partner so.
+bool rejects_middles(AbaqusData& data, const AbaqusBlock& block, const std::string& label, const DeckPlace& place) {
+  const AbaqusNodes nodes = data.nodes(label, place);
+  const bool are_given = std::ranges::none_of(
+      nodes.members, [&](std::int32_t node) { return static_cast<std::size_t>(node) >= data.mesh.given_nodes; });
+  if (nodes.members.size() < 2 || are_given) return false;
+  data.report.reject(place, block.star_name() + " of pairs of nodes of two sets on elements of twenty nodes",
+                     "elements of eight nodes, or sets with one of one node");
+  return true;
+}
+
 /// *EQUATION: a line with the number of terms, then up to four of them to a line: node or set, degree of freedom,
 /// factor.
 class EquationCards {
@@ -81,7 +93,7 @@ class EquationCards {
     if (several && !of_sets_)
       fail_at(f.place(), "*EQUATION: expected a node, as in the first term, got a set of several");
     const std::vector<std::int64_t> numbers = numbers_of_solids(data_, block_, label, f.place());
-    if (numbers.empty()) return;
+    if (numbers.empty() || (!is_first && rejects_middles(data_, block_, label, f.place()))) return;
     if (factor == 0) fail_at(f.place(), "*EQUATION: expected a coefficient that is not 0, got 0");
     const AbaqusTransform* const transform = transforms_.of(data_.nodes(label, f.place()), block_, f.place());
     const Point direction = transforms_.direction(transform, degree - 1, block_, f.place());
@@ -121,6 +133,7 @@ class MpcCards {
       for (std::size_t i = 1; i <= (is_pair ? 2U : 3U); ++i)
         numbers_.push_back(numbers_of_solids(data_, block_, f.text(i), f.place()));
       if (std::ranges::any_of(numbers_, [](const auto& of_label) { return of_label.empty(); })) continue;
+      if (rejects_middles(data_, block_, f.text(2), f.place())) continue;
       for (std::size_t i = 1; i <= numbers_.size(); ++i) {
         if (transforms_.of(data_.nodes(f.text(i), f.place()), block_, f.place()) != nullptr)
           data_.report.reject(f.place(), "*MPC of nodes with a *TRANSFORM", "give *EQUATION");
