@@ -140,6 +140,17 @@ TEST_F(KnownMaterials, GiveWayToWhatTheSceneSays) {
   EXPECT_FALSE(elastic.plastic);
 }
 
+TEST_F(KnownMaterials, HaveTheirStrengthBesideAnOwnEquationOfState) {
+  const Material known = material("kg-m-s", copper);
+  const std::string pressures = "equation_of_state = { sound_speed = 3940, slopes = [1.489, 0, 0], gamma = 2.02 }\n";
+  const Material own = material("kg-m-s", copper + pressures);
+  EXPECT_DOUBLE_EQ(own.shear_modulus, known.shear_modulus);
+  EXPECT_EQ(own.johnson_cook, known.johnson_cook);
+  ASSERT_TRUE(own.equation_of_state);
+  EXPECT_NEAR(own.bulk_modulus, own.density * 3940 * 3940, 1e-3 * own.bulk_modulus);
+  EXPECT_DOUBLE_EQ(material("kg-m-s", copper + pressures + "shear_modulus = 4e10\n").shear_modulus, 4e10);
+}
+
 TEST_F(KnownMaterials, StandWhereTheirNameDoes) {
   GivenTable given, scene;
   given.set("name", GivenValue(std::string("m")));

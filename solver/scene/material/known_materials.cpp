@@ -126,6 +126,20 @@ void leave_out_other_moduli(const GivenTable& own, GivenTable& known) {
     std::erase_if(known.entries(), [key](const GivenEntry& entry) { return entry.key == key; });
 }
 
+/// Of a material that gives its own equation of state, which says what pressures are, the known one has the shear
+/// modulus alone: G = E/(2 (1 + nu)), where it is given so.
+void leave_pressures_to_own(const GivenTable& own, GivenTable& known) {
+  if (!own.contains("equation_of_state") || known.contains("equation_of_state")) return;
+  const auto number_of = [&known](std::string_view key) {
+    const GivenValue* const value = known.find(key);
+    return value != nullptr ? value->number() : std::nullopt;
+  };
+  const auto young = number_of("young_modulus"), poisson = number_of("poisson_ratio");
+  if (young && poisson) known.set("shear_modulus", GivenValue(*young / (2 * (1 + *poisson))));
+  for (const std::string_view key : {"bulk_modulus", "young_modulus", "poisson_ratio"})
+    std::erase_if(known.entries(), [key](const GivenEntry& entry) { return entry.key == key; });
+}
+
 std::string names_of(const std::vector<GivenTable>& known, const std::string& wanted) {
   if (known.empty()) {
     return "no materials are found beside the program; PINBALL_DATA may name the folder that holds \"materials\"";
@@ -149,6 +163,7 @@ void take_known_material(GivenTable& material, const GivenValue& use, const Unit
   if (found == known.end()) fail(place, key, names_of(known, *wanted));
   GivenTable filling = in_units(*found, units);
   leave_out_other_moduli(material, filling);
+  leave_pressures_to_own(material, filling);
   const GivenPlace of_use = use.place;  // filled, the table moves its entries, and `use` with them
   fill(material, filling, of_use);
 }
