@@ -61,7 +61,7 @@ class FetchedElements {
     view.mass = memory_.mass[turn_];
     view.stress = memory_.stress;
     view.plastic_strain = memory_.plastic_strain;
-    if (elements_.hourglass_state != nullptr) view.hourglass_state = memory_.hourglass_state;
+    if (has_modes()) view.hourglass_state = memory_.hourglass_state;
     if (elements_.viscous_stress != nullptr) view.viscous_stress = memory_.viscous_stress;
     if (elements_.internal_energy != nullptr) view.internal_energy = memory_.internal_energy;
     if (elements_.material_state != nullptr) view.material_state += begin * elements_.material_numbers;
@@ -81,6 +81,10 @@ class FetchedElements {
   }
 
  private:
+  /// Without control the kernel of the viscous form has no numbers of modes.
+  __device__ bool has_modes() const {
+    return keeps_hourglass_state(features.hourglass) || elements_.hourglass_state != nullptr;
+  }
   template <int N>
   __device__ static std::int64_t place(std::int64_t element, int component) {
     return place_in_rows<device_row>(element, N) + component * device_row;
@@ -96,8 +100,7 @@ class FetchedElements {
     visit.template operator()<6>(memory_.stress, elements_.stress);
     if constexpr (features.plastic) visit.template operator()<1>(memory_.plastic_strain, elements_.plastic_strain);
     if constexpr (keeps_modes) {
-      if (elements_.hourglass_state != nullptr)
-        visit.template operator()<12>(memory_.hourglass_state, elements_.hourglass_state);
+      if (has_modes()) visit.template operator()<12>(memory_.hourglass_state, elements_.hourglass_state);
     }
     if constexpr (features.bulk_viscosity) {
       if (elements_.viscous_stress != nullptr) {

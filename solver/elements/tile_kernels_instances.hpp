@@ -41,8 +41,8 @@ class PackAhead {
     if (!in_rows_ || !next_has_it) ask_for_nodes(elements_.corner + (pack_ * 8 + part) * W);
     if (part < 2) ask_for_state(elements_.stress, 6, 3 * part, 3);
     if constexpr (stores_hourglass_modes(features.hourglass)) {
-      const bool due = part >= 2 && part < 6 && elements_.hourglass_state != nullptr;
-      if (due) ask_for_state(elements_.hourglass_state, 12, 3 * (part - 2), 3);
+      const bool there = keeps_hourglass_state(features.hourglass) || elements_.hourglass_state != nullptr;
+      if (there && part >= 2 && part < 6) ask_for_state(elements_.hourglass_state, 12, 3 * (part - 2), 3);
     }
     if (part == 6) {
       ask_for_state(elements_.mass, 1, 0, 1);
