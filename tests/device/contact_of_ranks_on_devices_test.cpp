@@ -1,15 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <tuple>
 #include <vector>
 
 #include <tests/parallel/contact_scenes.hpp>
-#include <tests/parallel/outcome.hpp>
-#include <tests/support/changing_scene.hpp>
-#include <tests/support/folder_case.hpp>
 
-#include "device_case.hpp"
+#include "ranks_on_devices_case.hpp"
 
 /// Contact, ties and rigid bodies of several ranks with a device each: the bits of one process on that device.
 namespace pinball::contact_of_ranks_on_devices_test {
@@ -17,25 +13,12 @@ namespace {
 
 using namespace test;
 
-const std::vector<Shared> few_ranks{{2, {}}, {3, {Partition::By::random, 1}}};
 const std::vector<Shared> one_to_four{
     {1, {}}, {2, {}}, {3, {Partition::By::random, 1}}, {4, {Partition::By::graph, 0}}};
 
-class ContactOfRanksOnDevices : public FolderTest, public testing::WithParamInterface<Device> {
+class ContactOfRanksOnDevices : public RanksOnDevicesTest {
  protected:
-  Scene on_device(Scene scene) const {
-    scene.device = GetParam();
-    return scene;
-  }
-  template <class S>
-  Outcome expect_same(const Scene& scene) const {
-    return expect_same_on<S>(few_ranks, on_device(scene));
-  }
-  Scene changing() const {
-    const std::string path = folder_ / "changing.toml";
-    std::ofstream(path) << changing_scene;
-    return read_scene(path);
-  }
+  ContactOfRanksOnDevices() : RanksOnDevicesTest({{2, {}}, {3, {Partition::By::random, 1}}}) {}
 };
 
 TEST_P(ContactOfRanksOnDevices, IsOfEveryAlgorithmWhileElementsErode) {
@@ -92,17 +75,8 @@ TEST_P(ContactOfRanksOnDevices, IsOfRigidAndJointedBodies) {
 TEST_P(ContactOfRanksOnDevices, IsBesideWhatBeginsAndEnds) { EXPECT_GT(expect_same<double>(changing()).pairs, 0); }
 
 TEST_P(ContactOfRanksOnDevices, GoesOnFromAStateOnAnyOthers) {
-  for (const Scene& of : {eroding(ContactMethod::pinball, Enforcement::lagrange, ContactGap::face), glued()}) {
-    const Scene scene = on_device(of);
-    Solver<double> alone(scene);
-    const StateBytes bytes = state_of_three_ranks(scene, alone);
-    const auto outcome = [](Solver<double>& solver) { return outcome_of(solver); };
-    const Outcome expected = outcome_of(alone);
-    Solver<double> other(scene);
-    load(other, bytes);
-    EXPECT_TRUE(outcome_of(other) == expected);
-    EXPECT_TRUE(solved_on<double>(2, {}, scene, outcome, bytes) == expected);
-  }
+  expect_to_go_on(eroding(ContactMethod::pinball, Enforcement::lagrange, ContactGap::face));
+  expect_to_go_on(glued());
 }
 
 INSTANTIATE_TEST_SUITE_P(On, ContactOfRanksOnDevices, testing::ValuesIn(devices()), name_of_device);

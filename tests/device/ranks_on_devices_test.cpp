@@ -1,17 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include <tests/parallel/outcome.hpp>
-#include <tests/parallel/shared_scenes.hpp>
-#include <tests/support/changing_scene.hpp>
-#include <tests/support/folder_case.hpp>
 #include <tests/support/tetrahedra_case.hpp>
 
-#include "device_case.hpp"
+#include "ranks_on_devices_case.hpp"
 
 /// Several ranks with a device each: the bits of one process on that device, whatever their number and whatever each
 /// works.
@@ -20,18 +15,10 @@ namespace {
 
 using namespace test;
 
-const std::vector<Shared> few_ranks{{1, {}}, {2, {}}, {3, {Partition::By::random, 1}}, {4, {Partition::By::graph, 0}}};
-
-class RanksOnDevices : public FolderTest, public testing::WithParamInterface<Device> {
+class RanksOnDevices : public RanksOnDevicesTest {
  protected:
-  Scene on_device(Scene scene) const {
-    scene.device = GetParam();
-    return scene;
-  }
-  template <class S>
-  Outcome expect_same(const Scene& scene) const {
-    return expect_same_on<S>(few_ranks, on_device(scene));
-  }
+  RanksOnDevices()
+      : RanksOnDevicesTest({{1, {}}, {2, {}}, {3, {Partition::By::random, 1}}, {4, {Partition::By::graph, 0}}}) {}
 };
 
 /// More elements than one piece of a sum has, of the mock device, too.
@@ -65,9 +52,7 @@ TEST_P(RanksOnDevices, HaveLoadsConstraintsPressuresGravityDampingAndWalls) {
 
 /// Of the bodies that do not touch.
 TEST_P(RanksOnDevices, HaveWhatBeginsAndEnds) {
-  const std::string path = folder_ / "changing.toml";
-  std::ofstream(path) << changing_scene;
-  Scene scene = read_scene(path);
+  Scene scene = changing();
   scene.contact.method = ContactMethod::none;
   scene.contact_pairs.clear();
   scene.tied_contacts.clear();
@@ -87,17 +72,8 @@ TEST_P(RanksOnDevices, HaveEquations) { expect_same<double>(with_equations()); }
 TEST_P(RanksOnDevices, FoldElements) { expect_same<double>(pressed_block(1)); }
 
 TEST_P(RanksOnDevices, GoOnFromEachOthersStates) {
-  for (const Scene& of : {torn(), resting_bar()}) {
-    const Scene scene = on_device(of);
-    Solver<double> alone(scene);
-    const StateBytes bytes = state_of_three_ranks(scene, alone);
-    const auto outcome = [](Solver<double>& solver) { return outcome_of(solver); };
-    const Outcome expected = outcome_of(alone);
-    Solver<double> other(scene);
-    load(other, bytes);
-    EXPECT_TRUE(outcome_of(other) == expected);
-    EXPECT_TRUE(solved_on<double>(2, {}, scene, outcome, bytes) == expected);
-  }
+  expect_to_go_on(torn());
+  expect_to_go_on(resting_bar());
 }
 
 TEST_P(RanksOnDevices, SayWhatEachHas) {
