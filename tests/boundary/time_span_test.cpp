@@ -62,16 +62,22 @@ TEST(PrescribedVelocity, ActsFromItsStartToItsEndAndOthersMayFollow) {
   EXPECT_GT(solver.energies().external, 0);
 }
 
-/// A way that grows from the first moment on: the nodes have its velocity in the first step, and its work is theirs.
-TEST(PrescribedDisplacement, HasItsVelocityFromTheFirstStepOn) {
-  Scene scene = flying_block();
-  scene.bodies[0].velocity = {};
+/// Of body a along x, as far as the time times 7.
+PrescribedVelocity pull_of_seven() {
   PrescribedVelocity pull;
   pull.nodes.body = "a";
   pull.direction = Point{1, 0, 0};
   pull.velocity = {1, 0, 0};
   pull.quantity = MotionQuantity::displacement;
   pull.table = {{0, 1}, {0, 7}};
+  return pull;
+}
+
+/// A way that grows from the first moment on: the nodes have its velocity in the first step, and its work is theirs.
+TEST(PrescribedDisplacement, HasItsVelocityFromTheFirstStepOn) {
+  Scene scene = flying_block();
+  scene.bodies[0].velocity = {};
+  const PrescribedVelocity pull = pull_of_seven();
   scene.prescribed_velocities = {pull};
   Solver<double> solver(scene);
   solver.step();
@@ -95,12 +101,7 @@ TEST(PrescribedDisplacement, GoesAllOfItsWayWhereverBetweenTwoStepsItBegins) {
   };
   Scene nodes = flying_block();
   nodes.bodies[0].velocity = {};
-  PrescribedVelocity pull;
-  pull.nodes.body = "a";
-  pull.direction = Point{1, 0, 0};
-  pull.velocity = {1, 0, 0};
-  pull.quantity = MotionQuantity::displacement;
-  pull.table = table;
+  PrescribedVelocity pull = pull_of_seven();
   pull.when = {begin, end};
   nodes.prescribed_velocities = {pull};
   EXPECT_NEAR(way_at(nodes, end), 7 * (end - begin), 1e-15);
