@@ -216,28 +216,25 @@ inline constexpr CardLayout mooney_rivlin_test{number("SGL").rejected(of_a_test)
                                                number("ST").rejected(of_a_test), whole("LCID").rejected(of_a_test)};
 
 inline constexpr std::string_view not_viscous = "leave it 0: there is no viscosity";
-inline constexpr CardLayout ogden{material_id,
-                                  density,
-                                  poisson,
-                                  whole("N").rejected("leave it 0, and give MU and ALPHA: they are not fitted"),
-                                  whole("NV").reported("there is no test"),
-                                  number("G").rejected(not_viscous),
-                                  number("SIGF").rejected(not_viscous),
-                                  number("REF").rejected("leave it 0: the mesh has no stress")};
+/// Of rubber by an energy of stretches or invariants. not_fitted: what to do instead of a test (N).
+constexpr CardLayout energy_of_rubber(std::string_view not_fitted) {
+  return {material_id,
+          density,
+          poisson,
+          whole("N").rejected(not_fitted),
+          whole("NV").reported("there is no test"),
+          number("G").rejected(not_viscous),
+          number("SIGF").rejected(not_viscous),
+          number("REF").rejected("leave it 0: the mesh has no stress")};
+}
+inline constexpr CardLayout ogden = energy_of_rubber("leave it 0, and give MU and ALPHA: they are not fitted");
 inline constexpr CardLayout ogden_moduli{material_stress("MU1"), material_stress("MU2"), material_stress("MU3"),
                                          material_stress("MU4"), material_stress("MU5"), material_stress("MU6"),
                                          material_stress("MU7"), material_stress("MU8")};
 inline constexpr CardLayout ogden_exponents{number("ALPHA1"), number("ALPHA2"), number("ALPHA3"), number("ALPHA4"),
                                             number("ALPHA5"), number("ALPHA6"), number("ALPHA7"), number("ALPHA8")};
 
-inline constexpr CardLayout hyperelastic{material_id,
-                                         density,
-                                         poisson,
-                                         whole("N").rejected("leave it 0, and give C10 to C02: they are not fitted"),
-                                         whole("NV").reported("there is no test"),
-                                         number("G").rejected(not_viscous),
-                                         number("SIGF").rejected(not_viscous),
-                                         number("REF").rejected("leave it 0: the mesh has no stress")};
+inline constexpr CardLayout hyperelastic = energy_of_rubber("leave it 0, and give C10 to C02: they are not fitted");
 inline constexpr std::string_view no_mixed_power = "leave it 0: it is no sum of powers of stretches";
 inline constexpr CardLayout hyperelastic_constants{
     material_stress("C10"),
