@@ -162,6 +162,9 @@ TEST_F(SceneTest, UnknownKeysNameTheNearest) {
   EXPECT_EQ(error(with({"[contct]", "beta = 1"})), "15:2: contct: unknown key, nearest is contact");
   EXPECT_EQ(error(with({"[contact]", "hourglass = \"none\""})),
             "16:1: contact.hourglass: unknown key, nearest is element.hourglass");
+  // Not the tables without a name that pairs of contact are made of, which have it, too.
+  EXPECT_EQ(error(with({"[contact]", "elements = 3"})),
+            "16:1: contact.elements: unknown key, nearest is body.NAME.elements");
   EXPECT_EQ(error(with(14, "mesh = { type = \"block\", sizes = [1, 2, 3], elements = [2, 3, 4] }")),
             "14:26: body.bar.mesh.sizes: unknown key, nearest is body.bar.mesh.size");
   // A key of the other kind of mesh is unknown too.

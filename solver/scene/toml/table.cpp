@@ -45,6 +45,7 @@ std::string nearest_key(std::string_view key, std::string_view path, const Table
   for (const auto& other : scene_keys()) {
     // The other kinds of mesh share their place with this one: their keys would be just as wrong here.
     if (other.shown == own.shown) continue;
+    if (other.shown.starts_with('{')) continue;  // a table without a name is no place that one could be sent to
     for (const auto candidate : other.keys) consider(other.shown, candidate, 1);
   }
   return best;
