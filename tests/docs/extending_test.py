@@ -20,6 +20,10 @@ SHOWN = re.compile(r"<!-- run by tests/docs/extending_test\.py -->\n```diff\n(?P
 # What each of them is, in the order of the page, and how many sources of the product it touches at most.
 MOST_SOURCES = {"a yield law": 7, "an equation of state": 7, "a failure model": 8, "a key": 4, "an element": 2, "a format": 5,
                 "a card": 5, "a column": 3}
+# A variable of a namespace, added to a source; and names in code, not those of members, namespaces or functions.
+ADDED_VARIABLE = re.compile(r"^\+(?:inline |static )*(?:constexpr|const) [^(){}=;]*?\b(\w+)(?:\{| = |\(|;)", re.M)
+PLAIN_NAME = re.compile(r"(?<![.\w:])(?<!->)[a-z]\w*\b(?!\()")
+NO_CODE = re.compile(r'//[^\n]*|"(?:[^"\\\n]|\\.)*"')
 OF_PRODUCT = ("kernels/", "solver/", "python/")
 COPIED = ["CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "cmake", "data", "docs", "kernels",
           "packaging", "pyproject.toml", "python", "solver", "tests/layout"]
@@ -49,6 +53,28 @@ def check_that_it_fits(differences_together):
             apply(difference, folder)
 
 
+def shadowed_in(difference):
+    """(source, name) of variables that a difference adds to a source of the solver and that others of the room have as a name:
+    all of them may be compiled together, with shadowed names as errors. (That they do compile, a longer test shows.)"""
+    found = []
+    for part in re.split(r"^--- ", difference, flags=re.M):
+        source = re.search(r"^\+\+\+ b/(solver/\w+/.*\.cpp)$", part, re.M)
+        added = set(ADDED_VARIABLE.findall(part)) if source else set()
+        if added:
+            for other in sorted((ROOT / "/".join(source[1].split("/")[:2])).rglob("*.cpp")):
+                if other != ROOT / source[1]:
+                    names = set(PLAIN_NAME.findall(NO_CODE.sub("", other.read_text())))
+                    found += [(str(other.relative_to(ROOT)), name) for name in sorted(added & names)]
+    return found
+
+
+def check_that_no_name_is_shadowed(shown):
+    for difference in shown:
+        assert not shadowed_in(difference), f"names that other sources of the room have: {shadowed_in(difference)}"
+    planted, = (text.replace("nodes_of_face", "faces") for text in shown if "nodes_of_face{{" in text)
+    assert ("solver/formats/vtk/vtk_grid.cpp", "faces") in shadowed_in(planted), shadowed_in(planted)
+
+
 def check_that_they_fit():
     shown = differences()
     assert len(shown) == len(MOST_SOURCES), f"docs/extending.md shows {len(shown)} differences"
@@ -59,6 +85,7 @@ def check_that_they_fit():
         assert 0 < sum(name.startswith(OF_PRODUCT) for name in files) <= most, (what, files)
         check_that_it_fits([difference])
     check_that_it_fits(shown)
+    check_that_no_name_is_shadowed(shown)
 
 
 def main():
