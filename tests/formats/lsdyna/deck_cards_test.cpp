@@ -66,6 +66,14 @@ TEST_F(DeckCards, APartThatNothingUsesRefusesNothing) {
               testing::AllOf(HasSubstr("equation of state (EOSID)"), HasSubstr("*EOS_IDEAL_GAS")));
 }
 
+/// Two decks in one file, say: the program that they are for reads to the first *END, too.
+TEST_F(DeckCards, WhatStandsBehindTheEndIsTold) {
+  const std::string deck = cube + elastic + ends + "*END\n";
+  const auto told = testing::Contains(HasSubstr("what stands behind *END"));
+  EXPECT_THAT(translate(deck + "$ end\n\n  \r\n").understood, testing::Not(told));
+  EXPECT_THAT(translate(deck + "$ end\n*CONTROL_TERMINATION\n7.\n").understood, told);
+}
+
 TEST_F(DeckCards, TetrahedraHaveFormsOfTheirOwn) {
   std::string tetrahedra = cube + elastic + ends;
   const auto at = tetrahedra.find("*ELEMENT_SOLID");

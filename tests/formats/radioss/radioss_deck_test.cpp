@@ -35,6 +35,12 @@ TEST_F(RadiossTest, TheEnginesInputMayStandInTheSameFile) {
   EXPECT_EQ(scene(text).time.end, 2e-6);
 }
 
+TEST_F(RadiossTest, WhatStandsBehindTheEndIsTold) {
+  const auto told = Contains(HasSubstr("what stands behind /END"));
+  EXPECT_THAT(translate(cube_with("/END\n# end\n\n")).understood, Not(told));
+  EXPECT_THAT(translate(cube_with("/END\n# end\n/GRNOD/NODE/5\n")).understood, told);
+}
+
 TEST_F(RadiossTest, WithoutAnEnginesFileTheEndIsAskedFor) {
   engine_ = "/VERS/2022\n";
   EXPECT_THAT(error(cube_with("")), HasSubstr("expected /RUN with the time of the end in the file of the engine"));

@@ -83,6 +83,7 @@ void tell_unread(const KeywordDeck& deck, const ReadingLog& log, DeckReport& rep
       tell_unread_fields(block.star_name(), card->place, left, report);
     }
   }
+  for (const DeckPlace& place : deck.behind_end) report.unused(place, "what stands behind *END");
   for (const UnreadLine& line : deck.unread) tell_unread_fields(line.star_name, line.place, line.left, report);
 }
 

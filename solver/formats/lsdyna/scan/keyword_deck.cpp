@@ -54,6 +54,7 @@ class KeywordReader {
       block.transform = transform;
       take_in(block, after);
     }
+    if (const auto place = scanner.behind_end()) deck_.behind_end.push_back(*place);
     open_.pop_back();
   }
 

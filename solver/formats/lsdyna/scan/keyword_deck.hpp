@@ -23,6 +23,7 @@ struct KeywordDeck {
   std::size_t left_out_of_case = 0;                       ///< keywords that belong to other cases
   bool case_is_empty = false;                             ///< the chosen *CASE lists no numbers
   std::vector<UnreadLine> unread;                         ///< of what is done here
+  std::vector<DeckPlace> behind_end;                      ///< where in its files more stands behind *END
   std::vector<std::shared_ptr<const std::string>> texts;  ///< what the blocks refer to
 };
 

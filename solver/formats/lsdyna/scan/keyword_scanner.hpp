@@ -1,8 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include <solver/formats/deck/behind_end.hpp>
 
 #include "keyword_block.hpp"
 
@@ -28,6 +31,8 @@ class KeywordScanner {
   /// The next keyword, but for *KEYWORD itself; false: the file, or *END, ends here. after: what stands behind the
   /// name. Throws InputError for a format of *KEYWORD that is none.
   bool next(KeywordBlock& block, std::string& after);
+  /// What has not been read once next has told the end.
+  std::optional<DeckPlace> behind_end() const { return first_behind_end(rest_, place_, "*END", "$"); }
 
  private:
   void skip_to_keyword();

@@ -17,6 +17,7 @@ void follow_reading(RadiossDeck& deck, ReadingLog& log) {
 }
 
 void tell_unread(const RadiossDeck& deck, const ReadingLog& log, DeckReport& report) {
+  for (const DeckPlace& place : deck.behind_end) report.unused(place, "what stands behind /END");
   for (const RadiossBlock& block : deck.blocks) {
     if (block.log == nullptr || log.is_done(&block)) continue;
     if (!log.has_seen(&block)) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <solver/base/error.hpp>
+#include <solver/formats/deck/behind_end.hpp>
 #include <solver/formats/deck/deck_files.hpp>
 #include <solver/formats/deck/indented_keyword.hpp>
 #include <solver/formats/deck/number_text.hpp>
@@ -83,6 +84,9 @@ class RadiossReader {
     while (!rest.empty() && !ended_) {
       take_data(rest, place);
       if (!rest.empty()) take_special(rest, place);
+    }
+    if (ended_) {
+      if (const auto behind = first_behind_end(rest, place, "/END", "#$")) deck_.behind_end.push_back(*behind);
     }
     ended_ = false;  // one that is included ends, and not what includes it
     open_.pop_back();

@@ -17,6 +17,7 @@ struct RadiossDeck {
   std::vector<MeshSource> files;                          ///< of the starter as opened, the deck itself first
   std::vector<std::shared_ptr<const std::string>> texts;  ///< what the blocks refer to
   std::int64_t version = 0;                               ///< of the form of the starter's file: 2022
+  std::vector<DeckPlace> behind_end;                      ///< where in its files more stands behind /END
   std::string engine;                                     ///< path of the engine's file; empty: there is none
 };
 
