@@ -189,6 +189,8 @@ TEST(AbaqusMesh, WhatIsWrongIsToldWithItsPlace) {
   EXPECT_EQ(error_of(nodes + "*ELEMENT, TYPE=C3D8\n1, 1, 2, 3, 4, 11, 12, 13, 99\n"),
             "a.inp:15: element 1 has node 99, which is not there");
   EXPECT_EQ(error_of(nodes + "*ELEMENT, TYPE=C3D8\n1, 1, 2, 3\n"), "a.inp:15: element 1: expected 8 nodes, got 3");
+  EXPECT_EQ(error_of(nodes + "*ELEMENT, TYPE=C3D8\n, 1, 2, 3\n"),
+            "a.inp:15: expected the number of an element and its 8 nodes");
   EXPECT_EQ(error_of(nodes + "*ELEMENT, TYPE=C3D6\n1, 1, 2, 3, 4, 11, 12, 13, 14\n"),
             "a.inp:15: element 1: expected 6 nodes, got more");
   EXPECT_EQ(error_of(nodes + "*ELEMENT, TYPE=C3D10\n1, 1, 2, 3\n"), "a.inp:15: element 1: expected 10 nodes, got 3");

@@ -213,6 +213,7 @@ class AbaqusMeshReader {
       if (count == nodes + 1 || !goes_on(card.text)) break;
       card = lines.require("the rest of an element");
     }
+    if (count == 0) fail_at(place, fmt::format("expected the number of an element and its {} nodes", nodes));
     if (count != nodes + 1)
       fail_at(place, fmt::format("element {}: expected {} nodes, got {}", numbers[0], nodes, count - 1));
     add_element(numbers, type, first_node, place);
