@@ -77,6 +77,7 @@ RestingTiles<S>::RestingTiles(const Model<S>& model, const Subdomain<S>* domain)
     if (model.is_rigid(number) || (domain != nullptr && !domain->works(number))) return;
     if (std::isfinite(model.constants[model.tile_part[t]].failure.limits.time)) return;
     if (model.constants[model.tile_part[t]].averaged_volumes) return;
+    if (model.constants[model.tile_part[t]].foam.air_pressure > 0) return;  // presses with what volumes are rounded by
     const std::int64_t first_slot = model.tile_packs[t] * model.elements.width;
     const std::int64_t last_slot = model.tile_packs[t + 1] * model.elements.width;
     const std::int32_t* first = model.elements.corner.data() + 8 * first_slot;

@@ -88,6 +88,16 @@ TEST(RestingTiles, HaveNothingThatElementsKeep) {
   EXPECT_TRUE(rests());
 }
 
+/// Air presses with what volumes are rounded by.
+TEST(SkippedTiles, ChangeNothingWhereAirIsInCells) {
+  Scene scene = scene_of({block("foam", {3, 3, 3}, 0.1, {0.013, 0.7, 0.31}, {}, "foam"),
+                          block("far", {3, 3, 3}, 0.1, {5, 0, 0}, {10, 0, 0})},
+                         1e-4, false);
+  scene.materials.push_back(foam_material("foam"));
+  EXPECT_GT(expect_same_bits<double>(scene), 0);
+  EXPECT_GT(expect_same_bits<float>(scene), 0);
+}
+
 TEST(SkippedTiles, ChangeNothingInRodPlate) {
   EXPECT_GT(expect_same_bits<double>(scene_file("rod_plate", -1)), 0);
   EXPECT_GT(expect_same_bits<float>(scene_file("rod_plate", 60)), 0);
