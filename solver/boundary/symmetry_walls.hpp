@@ -16,8 +16,9 @@ namespace pinball {
 /// What erosion sets free may fly at a plane of symmetry: a mass point without elements, or a fragment. Its mirror
 /// image comes from the other side at the same time, and the two bounce off each other. A node that would cross the
 /// plane in the coming step has the normal part of its velocity turned, which keeps its energy and, with the image, all
-/// momentum. Nodes in the plane itself are held by their constraints. In a scene without erosion there is nothing to
-/// do.
+/// momentum. Nodes in the plane itself are held by their constraints. Bodies that reach through the plane, or lie on a
+/// side on which it holds none, have no image there: it only holds others, and they pass. In a scene without erosion
+/// there is nothing to do.
 template <class S>
 class SymmetryWalls {
  public:
@@ -26,7 +27,9 @@ class SymmetryWalls {
   bool any() const { return !walls_.empty(); }
   /// When the nodes have the forces of elements, and no others.
   void keep_forces(const NodeArrays<S>& nodes) {
-    for (Wall& wall : walls_) wall.nodes->keep_forces(nodes);
+    for (Wall& wall : walls_) {
+      for (Side& side : wall.sides) side.nodes->keep_forces(nodes);
+    }
   }
   /// To be called after the integration. ends_cycle: all elements are of one time then. Returns the work of the planes
   /// in the step before, which is done at the time of the forces [energy]. due: what was integrated.
@@ -38,8 +41,12 @@ class SymmetryWalls {
   std::size_t bytes() const;
 
  private:
+  struct Side {
+    std::unique_ptr<ReflectionKernels<S>> nodes;  ///< of its bodies that are not in the plane
+    double sign;                                  ///< of what it exerts along the wall's direction
+  };
   struct Wall {
-    std::unique_ptr<ReflectionKernels<S>> nodes;  ///< of its bodies that are not in it
+    std::vector<Side> sides;  ///< none: all bodies may pass
     std::string name;
     Point inward;
     double force = 0;  ///< sum over the steps of the cycle [force]

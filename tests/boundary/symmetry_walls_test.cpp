@@ -155,5 +155,33 @@ TEST(SymmetryWalls, HaveImpulseAndWorkOfWhatTheyTurnRoundInTheAccounts) {
   EXPECT_LT(largest_error(0.2), 4e-4);
 }
 
+/// A plane that holds one body is no mirror of others that lie behind it, however large, or reach through it.
+TEST(SymmetryWalls, LetBodiesPassThatHaveNoImageThere) {
+  Scene scene = fragment_at_plane();
+  scene.bodies.push_back(block("behind", {4, 4, 4}, 0.1, {-1, 3, 0}, {10, 0, 0}));
+  scene.bodies.push_back(block("through", {2, 2, 2}, 0.1, {-0.105, -1, 0}, {-10, 0, 0}));
+  Solver<double> solver(scene);
+  run(solver);
+  RunSummary summary;
+  fill_summary(solver, summary);
+  EXPECT_GT(solver.counts().eroded_elements(), 0);
+  EXPECT_GT(summary.bodies[1].velocity[0], 50) << "it has turned round";
+  EXPECT_NEAR(summary.bodies[2].velocity[0], 10, 1e-9);
+  EXPECT_NEAR(summary.bodies[3].velocity[0], -10, 1e-9);
+}
+
+/// Bodies on both sides that the plane holds are each of a mirror of their own.
+TEST(SymmetryWalls, TurnRoundToEitherSideWhereTheyHoldBodies) {
+  Scene scene = fragment_at_plane();
+  scene.bodies.push_back(block("seat", {1, 1, 1}, 0.1, {-0.1, 2, 0}));
+  scene.bodies.push_back(block("flies", {2, 2, 2}, 0.1, {-0.205, -1, 0}, {100, 0, 0}));
+  Solver<double> solver(scene);
+  run(solver);
+  RunSummary summary;
+  fill_summary(solver, summary);
+  EXPECT_GT(summary.bodies[1].velocity[0], 50);
+  EXPECT_LT(summary.bodies[3].velocity[0], -50);
+}
+
 }  // namespace
 }  // namespace pinball::test::symmetry_walls_test
