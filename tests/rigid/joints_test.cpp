@@ -144,6 +144,19 @@ TEST(Joints, ThatKeepTheSameTwiceAreAsOne) {
   EXPECT_LT(largest_opening(solver), 1e-14);
 }
 
+/// Gravity works on what places are rounded by, to which a joint keeps them: that is no energy in motion.
+TEST(Joints, LetWhatTheyHoldRestWithoutAnAlarm) {
+  for (const Point& corner : {Point{0, 0, 0}, Point{10, 5, 3}}) {
+    const Point place{corner[0] + 0.1, corner[1] + 0.2, corner[2] + 0.3};
+    Scene scene =
+        mechanism({block("a", {3, 2, 1}, 0.1, corner)}, {joint_of(JointKind::locking, "a", ground, place)}, 0.05);
+    scene.gravities = {{.acceleration = {1, 0.5, -2}}};
+    Solver<double> solver(scene);
+    run(solver);
+    EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 0.01);
+  }
+}
+
 /// A second axis that is off by rounding of what was given: the body still turns about the first.
 TEST(Joints, OnOneAxisMayBeGivenToSomeDigits) {
   Scene twice = pendulum(2);

@@ -13,7 +13,8 @@ template <class S>
 double drift_energy(const Model<S>& model, const Point& momentum);
 
 /// What is less is that of nothing but rounding [energy]: of all mass with 1e-13 of the fastest speed of sound, and of
-/// elements in single precision whose laws see volumes with 1e-6 of theirs, for what is rounded of volumes presses.
+/// elements in single precision whose laws see volumes with 1e-6 of theirs, for what is rounded of volumes presses;
+/// with joints, also what gravity, loads and pressures do over 1e-13 of the scene's reach, to which they keep places.
 template <class S>
 double energy_at_rest(const Model<S>& model);
 
