@@ -17,7 +17,8 @@ struct Twist {
 };
 
 /// K = G M^-1 G^T of the rows of joints that hang together, and what is asked of it. Rows are brought to K_ii = 1; what
-/// is left of a row after those before it counts as nothing below 1e-10.
+/// is left of a row after those before it counts as nothing below 1e-10, and so does K_ii below that part of what
+/// bodies would have that move in all directions as they do in their easiest: what holds them leaves that to rounding.
 class JointSystem {
  public:
   struct Row {
@@ -46,16 +47,24 @@ class JointSystem {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse_;
 };
 
+/// K_ii of a body that moves in all directions as it does in its easiest.
+inline double most_of(const RigidSide& side, const RowGradient& gradient, bool is_first) {
+  return gradient.force.squaredNorm() * side.most_translation +
+         (is_first ? gradient.first : gradient.second).squaredNorm() * side.most_rotation;
+}
+
 template <class Side>
 void JointSystem::decompose(const Side& side) {
   constexpr double nothing = 1e-10;
   Eigen::MatrixXd k(size(), size());
+  Eigen::VectorXd most = Eigen::VectorXd::Zero(size());
   for (std::int64_t i = 0; i < size(); ++i) {
     for (std::int64_t j = 0; j < size(); ++j) {
       double sum = 0;
       for (const bool of_first_i : {true, false}) {
         const std::int32_t body = of_first_i ? rows_[i].first : rows_[i].second;
         if (body < 0) continue;
+        if (i == j) most[i] += most_of(side(body), rows_[i].gradient, of_first_i);
         for (const bool of_first_j : {true, false}) {
           if (body != (of_first_j ? rows_[j].first : rows_[j].second)) continue;
           const RowGradient &a = rows_[i].gradient, &b = rows_[j].gradient;
@@ -67,7 +76,8 @@ void JointSystem::decompose(const Side& side) {
       k(i, j) = sum;
     }
   }
-  scale_ = k.diagonal().unaryExpr([](double own) { return own > 0 ? 1 / std::sqrt(own) : 0.0; });
+  scale_ = k.diagonal().binaryExpr(
+      most, [](double own, double of_all) { return own > nothing * of_all ? 1 / std::sqrt(own) : 0.0; });
   inverse_.setThreshold(nothing);
   inverse_.compute(scale_.asDiagonal() * k * scale_.asDiagonal());
 }

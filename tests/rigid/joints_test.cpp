@@ -157,6 +157,36 @@ TEST(Joints, LetWhatTheyHoldRestWithoutAnAlarm) {
   }
 }
 
+/// A body that is held about some directions slides along the axis of its joint, or not at all: what rounding leaves of
+/// the rows that the hold keeps moves nothing.
+TEST(Joints, ThatKeepWhatIsHeldAnywayAreAsOne) {
+  const std::vector<std::vector<Point>> held{{{0, 1, 0}}, {{1, 0, 0}}, {{0.6, 0.8, 0}}, {{0, 0, 1}, {0.8, -0.6, 0}}};
+  for (const JointKind kind : {JointKind::translational, JointKind::locking}) {
+    for (const Point& axis : {Point{0, 1, 0}, Point{0.6, 0.8, 0}, Point{5, 8, 6}}) {
+      for (const std::vector<Point>& about : held) {
+        const bool slides = kind == JointKind::translational;
+        const std::optional<Point> of = slides ? std::optional(axis) : std::nullopt;
+        Scene scene = mechanism({block("a", {3, 2, 1}, 0.1, {0, 0, 0})},
+                                {joint_of(kind, "a", ground, {0.1, 0.2, 0.3}, of)}, 0.05);
+        scene.gravities = {{.acceleration = {1, 0.5, -2}}};
+        scene.rigid_bodies[0].held_rotations = about;
+        Solver<double> solver(checked_scene(scene));
+        const Point start = solver.rigid().results()[0].centre;
+        run(solver);
+        const RigidBodyResult found = solver.rigid().results()[0];
+        const Point pulls = scene.gravities[0].acceleration;
+        const double along = slides ? dot(pulls, axis) / dot(axis, axis) : 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          EXPECT_NEAR(found.velocity[k], along * axis[k] * 0.05, 1e-12);
+          EXPECT_NEAR(found.centre[k] - start[k], along * axis[k] * 0.00125, 1e-13);
+          EXPECT_NEAR(found.angular_velocity[k], 0, 1e-12);
+        }
+        EXPECT_LT(largest_opening(solver), 1e-14);
+      }
+    }
+  }
+}
+
 /// A second axis that is off by rounding of what was given: the body still turns about the first.
 TEST(Joints, OnOneAxisMayBeGivenToSomeDigits) {
   Scene twice = pendulum(2);
