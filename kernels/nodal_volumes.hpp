@@ -10,6 +10,12 @@
 /// apart. Functors of pointers alone, for the memory of any execution space; L: elements in a row of the arrays.
 namespace pinball {
 
+/// What stands for the volume of an eroded element, and says so to who does not have its mass: no volume is as small.
+template <class S>
+PINBALL_FUNCTION constexpr S eroded_volume() {
+  return S(-3e38);  // which single precision just holds
+}
+
 template <class S>
 struct NodalVolumeView {
   const std::int64_t* place;  ///< per element that takes part: where it is among all elements
@@ -17,7 +23,7 @@ struct NodalVolumeView {
       corners;  ///< [elements + 1]: where those of each begin in `group`: 4 of a tetrahedron, 6 of a wedge
   const std::int32_t* group;   ///< of each of these corners: its node, with the material
   const S* undeformed;         ///< per element [length^3]
-  S* volume;                   ///< per element: of four of its nodes; eroded: 0 [length^3]
+  S* volume;                   ///< per element: of four of its nodes; eroded: eroded_volume() [length^3]
   const std::int32_t* first;   ///< [groups + 1]: where the elements of each begin in `around`
   const std::int32_t* around;  ///< elements, ascending by their places, as often as they have corners there
   S* ratio;                    ///< per group: J_a [-]
@@ -37,7 +43,7 @@ struct FindsVolumes {
     const std::int64_t place = of.place[t];
     const std::int32_t* const own = corner + place_in_rows<L>(place, 8);
     if (!(mass[place] > E(0))) {
-      of.volume[t] = S(0);
+      of.volume[t] = eroded_volume<S>();
     } else if (of.is_tetrahedron(t)) {
       const Vec3<S> a = node(own, tetrahedron_corner(0));
       const TetrahedronEdges<S> x{{node(own, tetrahedron_corner(1)) - a, node(own, tetrahedron_corner(2)) - a,
@@ -61,17 +67,17 @@ struct FindsVolumes {
 };
 
 /// J_a = sum v / sum V, over what is not eroded.
-template <class E, class S>
+template <class S>
 struct AveragesVolumes {
   NodalVolumeView<S> of;
-  const E* mass;  ///< of ElementView
 
   PINBALL_FUNCTION void operator()(std::int64_t group) const {
     S now = 0, undeformed = 0;
     for (std::int32_t i = of.first[group]; i < of.first[group + 1]; ++i) {
       const std::int32_t t = of.around[i];
+      if (of.volume[t] == eroded_volume<S>()) continue;
       now += of.volume[t];
-      if (mass[of.place[t]] > E(0)) undeformed += of.undeformed[t];
+      undeformed += of.undeformed[t];
     }
     of.ratio[group] = undeformed > S(0) ? now / undeformed : S(1);
   }

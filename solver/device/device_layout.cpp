@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <solver/base/packs.hpp>
-#include <solver/elements/volume_groups.hpp>
 #include <solver/model/corner_order.hpp>
 
 namespace pinball {
@@ -108,10 +107,13 @@ DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
   std::copy_n(model.nodes.inverse_mass.data(), mesh.nodes, mesh.inverse_mass.data());
   std::copy_n(model.node_mass.data(), mesh.nodes, mesh.node_mass.data());
   add_corners_of_nodes(model, mesh);
-  mesh.volumes = std::move(VolumeGroups<S>(model).lists);
-  for (std::int64_t t = 0; t < mesh.volumes.elements(); ++t)
-    mesh.volumes.place[t] = place_of_slot(mesh.volumes.place[t]);
   return mesh;
+}
+
+template <class S>
+NodalVolumeLists<S> DeviceLayout<S>::lists_of_places(NodalVolumeLists<S> by_slots) const {
+  for (std::int64_t t = 0; t < by_slots.elements(); ++t) by_slots.place[t] = place_of_slot(by_slots.place[t]);
+  return by_slots;
 }
 
 /// The corners of each node in the order in which the host adds their forces.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <solver/elements/nodal_volume_lists.hpp>
 #include <solver/model/model.hpp>
 
 #include "device_mesh.hpp"
@@ -16,7 +17,10 @@ class DeviceLayout {
  public:
   explicit DeviceLayout(const Model<S>& model);
 
+  /// All but what has averaged volumes, of which each rank has its part: lists_of_places().
   DeviceMesh<S> mesh(const Model<S>& model) const;
+  /// by_slots: VolumeGroups::lists.
+  NodalVolumeLists<S> lists_of_places(NodalVolumeLists<S> by_slots) const;
   /// Positions, velocities and the state of the elements.
   DeviceState<S> state(const Model<S>& model) const;
   void to_model(const DeviceState<S>& state, Model<S>& model) const;

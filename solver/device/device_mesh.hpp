@@ -24,6 +24,14 @@ struct DevicePart {
   std::int32_t body = -1;  ///< that all of them are of, where output.body_energies asks for it
 };
 
+/// Elements with averaged volumes, by their places.
+template <class S>
+struct DeviceVolumes {
+  NodalVolumeLists<S> lists;
+  std::int64_t own = 0;  ///< the first of the lists are worked here; volumes of the others come from their ranks
+  std::vector<std::int32_t> sent;  ///< of these: message after message
+};
+
 /// What never changes. A place is what a slot is to the host: where an element is in all arrays.
 template <class S>
 struct DeviceMesh {
@@ -41,7 +49,7 @@ struct DeviceMesh {
   Array<double> node_mass;               ///< [nodes] [mass]
   Array<std::uint32_t> first_of_node;    ///< [nodes + 1] (CornersOfNodes)
   Array<std::uint32_t> corners_of_node;  ///< [8 x elements], in the order in which the host adds their forces
-  NodalVolumeLists<S> volumes;           ///< of elements with averaged ones, by their places
+  DeviceVolumes<S> volumes;
 };
 
 /// What a step changes. Element arrays are in rows, empty where no part needs them; units as of ElementView.

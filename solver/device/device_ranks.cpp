@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include <solver/base/packs.hpp>
 #include <solver/model/corner_order.hpp>
@@ -46,6 +47,12 @@ DeviceRanks<S>::DeviceRanks(const Model<S>& model, const DeviceLayout<S>& layout
 template <class S>
 void DeviceRanks<S>::mark(DeviceMesh<S>& mesh) {
   mesh.is_shared = true;
+  mark_pieces(mesh);
+  add_volumes(mesh);
+}
+
+template <class S>
+void DeviceRanks<S>::mark_pieces(DeviceMesh<S>& mesh) {
   for (std::size_t of = 0; of < pieces_.size(); ++of) {
     SomePieces<S>& some = pieces_[of];
     for (std::int64_t p = 0; p < some.all; ++p) {
@@ -64,6 +71,48 @@ void DeviceRanks<S>::mark(DeviceMesh<S>& mesh) {
       some.worked.back().last = p + 1;
     }
   }
+}
+
+/// The rank that adds up the piece of a sum in which an element is.
+template <class S>
+std::int32_t DeviceRanks<S>::adder_of_slot(std::int64_t slot) const {
+  const std::int64_t place = layout_.place_of_slot(slot);
+  const auto after = std::ranges::upper_bound(layout_.parts(), place, {}, &DevicePart<S>::first);
+  const std::int64_t of = after - layout_.parts().begin() - 1, count = pieces_[of].all;
+  std::int64_t below = 0, above = count;  // the piece that begins last of those at the place or before
+  while (above - below > 1) {
+    const std::int64_t middle = (below + above) / 2;
+    (places_of_piece(layout_.parts()[of], lanes_, middle, count).begin <= place ? below : above) = middle;
+  }
+  return blocks_[of]->owner(below);
+}
+
+template <class S>
+void DeviceRanks<S>::add_volumes(DeviceMesh<S>& mesh) {
+  VolumeGroups<S> groups(model_, &domain_, [this](std::int64_t slot) { return adder_of_slot(slot); });
+  mesh.volumes.lists = layout_.lists_of_places(std::move(groups.lists));
+  mesh.volumes.own = groups.own;
+  for (const VolumeNeighbour& of : groups.neighbours)
+    mesh.volumes.sent.insert(mesh.volumes.sent.end(), of.sent.begin(), of.sent.end());
+  volume_neighbours_ = std::move(groups.neighbours);
+  volumes_sent_by_all_ = groups.sent_by_all;
+}
+
+template <class S>
+void DeviceRanks<S>::exchange_volumes(DeviceStep<S>& step) const {
+  if (!model_.averages_volumes()) return;
+  const S* sent = step.gather_volumes(messages_);
+  S* next = step.received_volumes(messages_);
+  std::vector<RankMessage> messages;
+  for (const VolumeNeighbour& of : volume_neighbours_) {
+    const std::span<const S> own(sent, of.sent.size());
+    const std::span<S> others(next, static_cast<std::size_t>(of.count));
+    messages.push_back({of.rank, std::as_bytes(own), std::as_writable_bytes(others)});
+    sent += own.size();
+    next += others.size();
+  }
+  domain_.exchange(messages, volumes_sent_by_all_ * static_cast<std::int64_t>(sizeof(S)));
+  step.scatter_volumes(messages_);
 }
 
 template <class S>

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include <solver/elements/volume_groups.hpp>
 #include <solver/model/model.hpp>
 #include <solver/parallel/subdomain.hpp>
 
@@ -23,13 +24,15 @@ class DeviceRanks {
   /// All have to stay where they are. device: that the layout is for.
   DeviceRanks(const Model<S>& model, const DeviceLayout<S>& layout, Device device, Subdomain<S>& domain);
 
-  /// Says in the mesh who works what (TileWork).
+  /// Says in the mesh who works what (TileWork), and what has averaged volumes.
   void mark(DeviceMesh<S>& mesh);
   /// Of each part, after mark().
   const std::vector<SomePieces<S>>& pieces() const { return pieces_; }
 
   /// Before elements are updated: which forces cross from then on.
   void connect(DeviceStep<S>& step);
+  /// And volumes of elements around nodes of several ranks.
+  void exchange_volumes(DeviceStep<S>& step) const;
   /// Afterwards: the forces of other ranks come to their corners.
   void exchange_forces(DeviceStep<S>& step) const;
   /// Over all ranks. own: of the elements that this one works.
@@ -47,6 +50,9 @@ class DeviceRanks {
   MotionEnergy integrate(DeviceStep<S>& step, const StepLengths& lengths) const;
 
  private:
+  void mark_pieces(DeviceMesh<S>& mesh);
+  void add_volumes(DeviceMesh<S>& mesh);
+  std::int32_t adder_of_slot(std::int64_t slot) const;
   std::vector<ElementTotals<S>> joined(const std::vector<ElementTotals<S>>& of_pieces) const;
 
   const Model<S>& model_;
@@ -58,6 +64,8 @@ class DeviceRanks {
   std::vector<SomePieces<S>> pieces_;
   std::vector<std::int32_t> owner_;  ///< of the pieces of all parts, one after the other, and then each rank
   std::vector<ElementTotals<S>> totals_of_parts_;
+  std::vector<VolumeNeighbour> volume_neighbours_;
+  std::int64_t volumes_sent_by_all_ = 0;
   std::int64_t plan_ = 0;  ///< Subdomain::plans() that the device knows
 };
 

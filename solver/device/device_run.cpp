@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <solver/base/built_features.hpp>
 #include <solver/base/error.hpp>
 #include <solver/boundary/space/make_boundary_kernels.hpp>
+#include <solver/elements/volume_groups.hpp>
 #include <solver/scene_rules.hpp>
 
 #include "body_elements.hpp"
@@ -69,6 +71,9 @@ DeviceRun<S>::DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>&
     domain->set_device(choose_device(device_, domain->rank_on_machine()));
     ranks_.emplace(model, layout_, device_, *domain);
     ranks_->mark(mesh);
+  } else {
+    mesh.volumes.lists = layout_.lists_of_places(std::move(VolumeGroups<S>(model).lists));
+    mesh.volumes.own = mesh.volumes.lists.elements();
   }
   step_ = make_step(device_, mesh);
   common_ = std::make_unique<CommonMirror<S>>(*step_, model.nodes);
@@ -172,6 +177,7 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Due& /*due*/, const E
   has_whole_state_ = false;
   if (ranks_) ranks_->connect(*step_);
   if (!found) resting = wake();
+  if (ranks_) ranks_->exchange_volumes(*step_);
   ElementTotals<S> totals = found ? update_anew(step) : step_->update_elements(step);
   if (ranks_) ranks_->exchange_forces(*step_);
   if (more_forces) step_->sum_corner_forces();

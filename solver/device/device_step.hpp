@@ -57,6 +57,12 @@ class DeviceStep {
   virtual std::vector<SomePieces<S>>& pieces_of_parts() = 0;
   /// What crosses to others from the next update on.
   virtual void set_halo(const DeviceHalo& halo) = 0;
+  /// Before update_elements(), of elements with averaged volumes: those that others need of this one
+  /// (DeviceVolumes::sent), found of the positions that nodes have; what others have sent is to be at
+  /// received_volumes() before scatter_volumes().
+  virtual const S* gather_volumes(Messages on) = 0;
+  virtual S* received_volumes(Messages on) = 0;
+  virtual void scatter_volumes(Messages on) = 0;
   /// After update_elements(), and before their sums: three numbers for each corner that is sent; what others
   /// have sent is to be at received_halo() before scatter_halo().
   virtual const S* gather_halo(Messages on) = 0;

@@ -13,6 +13,7 @@
 #include "space_halo.hpp"
 #include "space_records.hpp"
 #include "space_resting.hpp"
+#include "space_volumes.hpp"
 
 /// DeviceStep on an execution space. Its functors hold pointers and numbers alone, and are handed over by value.
 namespace pinball {
@@ -82,8 +83,8 @@ class SpaceStep final : public DeviceStep<S> {
         corners_of_node_(copy_of(mesh.corners_of_node)),
         force_(4 * static_cast<std::size_t>(mesh.nodes)),
         corner_force_(24 * static_cast<std::size_t>(mesh.places)),
-        left_(static_cast<std::size_t>(mesh.places)) {
-    volumes_.copy(mesh.volumes);
+        left_(static_cast<std::size_t>(mesh.places)),
+        volumes_(mesh.volumes) {
     for (const DevicePart<S>& part : mesh.parts) add_part(part);
     resting_.set({}, tiles_, is_shared_);
   }
@@ -147,6 +148,12 @@ class SpaceStep final : public DeviceStep<S> {
     corners_of_node_ = copy_of(halo.corners_of_node);
     corner_force_.reset(24 * static_cast<std::size_t>(places + halo_.places_of(halo)));
   }
+  const S* gather_volumes(Messages on) override {
+    find_volumes();
+    return volumes_.gather(on);
+  }
+  S* received_volumes(Messages on) override { return volumes_.received(on); }
+  void scatter_volumes(Messages on) override { volumes_.scatter(on); }
   const S* gather_halo(Messages on) override { return halo_.gather(corner_force_.data(), on); }
   S* received_halo(Messages on) override { return halo_.received(on); }
   void scatter_halo(Messages on) override { halo_.scatter(corner_force_.data(), on); }
@@ -218,7 +225,10 @@ class SpaceStep final : public DeviceStep<S> {
   ElementTotals<S> update_parts(const ElementStep<S>& step, S* rates) {
     ElementTotals<S> totals;
     totals_of_parts_.clear();
-    if (volumes_.elements() > 0) average_volumes();
+    if (volumes_.any()) {
+      if (!is_shared_) find_volumes();  // else gather_volumes() has
+      volumes_.average(state_.volume_ratio.data());
+    }
     for (SomePieces<S>& pieces : pieces_) pieces.clear();
     for (const Part& part : parts_) {
       SomePieces<S>* const some = is_shared_ ? &pieces_[totals_of_parts_.size()] : nullptr;
@@ -241,13 +251,7 @@ class SpaceStep final : public DeviceStep<S> {
   }
 
   /// Before the elements are worked: what the step before has left eroded does not count.
-  void average_volumes() {
-    const NodalVolumeView<S> view = volumes_.view();
-    find_volumes<Space, device_row, S>(view, volumes_.elements(), corner_.data(), state_.mass.data(),
-                                       state_.position.data());
-    pinball::average_volumes<Space, device_row>(view, volumes_.elements(), volumes_.groups(), state_.mass.data(),
-                                                state_.volume_ratio.data());
-  }
+  void find_volumes() { volumes_.find(corner_.data(), state_.mass.data(), state_.position.data()); }
 
   MovingNodes<S> moving(const StepLengths& step) {
     return {state_.position.data(),     state_.velocity.data(),     force_.data(),
@@ -334,7 +338,7 @@ class SpaceStep final : public DeviceStep<S> {
   SpaceRecords<S, Space> common_, listed_, own_;
   SpaceEroded<S, Space> eroded_;
   std::optional<SpaceBodySums<S, S, device_row, Space>> bodies_;
-  NodalVolumeLists<S, Memory> volumes_;
+  SpaceVolumes<S, Space> volumes_;
   std::vector<Part> parts_;
   std::vector<ElementTotals<S>> totals_of_parts_;
   std::vector<Array<S, Memory>> tables_;

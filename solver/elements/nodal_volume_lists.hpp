@@ -51,11 +51,10 @@ void find_volumes(const NodalVolumeView<S>& of, std::int64_t count, const std::i
   parallel_for("volumes of elements", RangePolicy<Space>{0, count}, FindsVolumes<E, S, L>{of, corner, mass, position});
 }
 
-/// Gives the first `count` elements the averages of all; groups: all; mass, volume_ratio: of ElementView.
+/// Gives the first `count` elements the averages of all; groups: all; volume_ratio: of ElementView.
 template <class Space, int L, class E, class S>
-void average_volumes(const NodalVolumeView<S>& of, std::int64_t count, std::int64_t groups, const E* mass,
-                     E* volume_ratio) {
-  parallel_for("volumes of nodes", RangePolicy<Space>{0, groups}, AveragesVolumes<E, S>{of, mass});
+void average_volumes(const NodalVolumeView<S>& of, std::int64_t count, std::int64_t groups, E* volume_ratio) {
+  parallel_for("volumes of nodes", RangePolicy<Space>{0, groups}, AveragesVolumes<S>{of});
   parallel_for("averaged volumes", RangePolicy<Space>{0, count}, TakesAveragedVolumes<E, S, L>{of, volume_ratio});
 }
 

@@ -44,7 +44,7 @@ template <class E>
 void NodalVolumes<S>::average_in(Model<S>& model) {
   const ElementView<E> elements = model.elements.template view<E>();
   average_volumes<DefaultExecutionSpace, native_width<E>>(groups_.lists.view(), groups_.own, groups_.lists.groups(),
-                                                          elements.mass, elements.volume_ratio);
+                                                          elements.volume_ratio);
 }
 
 template <class S>

@@ -13,7 +13,8 @@ namespace {
 struct AveragedElement {
   std::int64_t slot;
   std::int32_t tile;
-  std::int32_t corners;  ///< 4 of a tetrahedron, 6 of a wedge
+  std::int32_t corners;                         ///< 4 of a tetrahedron, 6 of a wedge
+  std::array<std::int32_t, 2> workers{-1, -1};  ///< the rank of its tile, and who works it for a sum
   std::array<std::int32_t, 6> groups{};
 
   std::span<const std::int32_t> own_groups() const { return {groups.data(), static_cast<std::size_t>(corners)}; }
@@ -48,25 +49,26 @@ struct AveragedElements {
   std::int32_t groups = 0;
 };
 
-/// The ranks that average around each node of each material: those of the elements there.
+/// Adds a rank to those that are there, each once.
+void add_rank(std::vector<std::int32_t>& ranks, std::int32_t rank) {
+  if (std::ranges::find(ranks, rank) == ranks.end()) ranks.push_back(rank);
+}
+
+/// The ranks that average around each node of each material: those that work the elements there.
 class RanksOfGroups {
  public:
   explicit RanksOfGroups(std::int32_t groups) : one_(groups, -1) {}
   void add(std::int32_t group, std::int32_t rank) {
     if (one_[group] < 0) one_[group] = rank;
     if (one_[group] == rank) return;
-    std::vector<std::int32_t>& others = others_[group];
-    if (std::ranges::find(others, rank) == others.end()) others.push_back(rank);
+    add_rank(others_[group], rank);
   }
   /// Adds the ranks to those in `ranks`, each once.
   void add_to(std::vector<std::int32_t>& ranks, std::int32_t group) const {
-    const auto add_one = [&ranks](std::int32_t rank) {
-      if (std::ranges::find(ranks, rank) == ranks.end()) ranks.push_back(rank);
-    };
-    add_one(one_[group]);
+    add_rank(ranks, one_[group]);
     const auto others = others_.find(group);
     if (others == others_.end()) return;
-    for (const std::int32_t rank : others->second) add_one(rank);
+    for (const std::int32_t rank : others->second) add_rank(ranks, rank);
   }
 
  private:
@@ -84,23 +86,30 @@ VolumeNeighbour& neighbour(std::vector<VolumeNeighbour>& all, std::int32_t rank)
 /// Fills `listed`: per element of the model that is averaged its place in the lists of this rank, or -1. Both sides of
 /// a message go through the elements in the same order.
 template <class S>
-void share(const AveragedElements& elements, const Subdomain<S>& domain, VolumeGroups<S>& found,
-           std::vector<std::int32_t>& listed) {
+void share(AveragedElements& elements, const Subdomain<S>& domain, const typename VolumeGroups<S>::Adder& adder,
+           VolumeGroups<S>& found, std::vector<std::int32_t>& listed) {
   RanksOfGroups ranks_of(elements.groups);
-  for (const AveragedElement& one : elements.all) {
-    for (const std::int32_t group : one.own_groups()) ranks_of.add(group, domain.rank_of_tile(one.tile));
+  for (AveragedElement& one : elements.all) {
+    const std::int32_t of_tile = domain.rank_of_tile(one.tile);
+    one.workers = {of_tile, adder ? adder(one.slot) : of_tile};
+    for (const std::int32_t group : one.own_groups()) {
+      for (const std::int32_t worker : one.workers) ranks_of.add(group, worker);
+    }
   }
   std::map<std::int32_t, std::vector<std::size_t>> received;  // by ranks
   std::vector<std::int32_t> ranks;
   for (std::size_t t = 0; t < elements.all.size(); ++t) {
     const AveragedElement& one = elements.all[t];
-    const std::int32_t from = domain.rank_of_tile(one.tile);
+    const std::int32_t from = one.workers[0];
     ranks = {from};
+    add_rank(ranks, one.workers[1]);
+    const std::size_t workers = ranks.size();
     for (const std::int32_t group : one.own_groups()) ranks_of.add_to(ranks, group);
-    found.sent_by_all += std::ssize(ranks) - 1;
-    if (from == domain.rank()) {
+    found.sent_by_all += static_cast<std::int64_t>(ranks.size() - workers);
+    if (std::ranges::find(one.workers, domain.rank()) != one.workers.end()) {
       listed[t] = static_cast<std::int32_t>(found.own++);
-      for (std::size_t r = 1; r < ranks.size(); ++r) neighbour(found.neighbours, ranks[r]).sent.push_back(listed[t]);
+      for (std::size_t r = workers; from == domain.rank() && r < ranks.size(); ++r)
+        neighbour(found.neighbours, ranks[r]).sent.push_back(listed[t]);
     } else if (std::ranges::find(ranks, domain.rank()) != ranks.end()) {
       neighbour(found.neighbours, from).count++;
       received[from].push_back(t);
@@ -130,14 +139,14 @@ void find_volumes_of(const Model<S>& model, NodalVolumeLists<S>& lists, std::int
 }
 
 template <class S>
-VolumeGroups<S>::VolumeGroups(const Model<S>& model, const Subdomain<S>* domain) {
-  const AveragedElements elements(model);
+VolumeGroups<S>::VolumeGroups(const Model<S>& model, const Subdomain<S>* domain, const Adder& adder) {
+  AveragedElements elements(model);
   std::vector<std::int32_t> listed(elements.all.size(), -1);
   if (domain == nullptr) {
     own = std::ssize(elements.all);
     for (std::int32_t t = 0; t < own; ++t) listed[t] = t;
   } else {
-    share(elements, *domain, *this, listed);
+    share(elements, *domain, adder, *this, listed);
   }
   std::int64_t count = own;
   for (const VolumeNeighbour& of : neighbours) count += of.count;

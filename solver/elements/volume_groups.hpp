@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <solver/model/model.hpp>
@@ -20,12 +21,15 @@ struct VolumeNeighbour {
 /// The elements with averaged volumes around each node, those of each material apart.
 template <class S>
 struct VolumeGroups {
-  /// domain: of several ranks, each of which averages around the nodes of its own elements; null: one process has
-  /// all. Undeformed is what the model is now.
-  explicit VolumeGroups(const Model<S>& model, const Subdomain<S>* domain = nullptr);
+  /// Of a slot: the rank that works its element for a sum, which may be another than that of its tile.
+  using Adder = std::function<std::int32_t(std::int64_t)>;
 
-  NodalVolumeLists<S> lists;  ///< by slots; first those of this rank, ascending
-  std::int64_t own = 0;       ///< of this rank
+  /// domain: of several ranks, each of which averages around the nodes of the elements that it works; null: one process
+  /// has all. adder: nothing where only the ranks of tiles work elements. Undeformed is what the model is now.
+  explicit VolumeGroups(const Model<S>& model, const Subdomain<S>* domain = nullptr, const Adder& adder = {});
+
+  NodalVolumeLists<S> lists;  ///< by slots; first those that this rank works, ascending
+  std::int64_t own = 0;       ///< that this rank works
   std::vector<VolumeNeighbour> neighbours;
   std::int64_t sent_by_all = 0;  ///< volumes, of all ranks together
 };

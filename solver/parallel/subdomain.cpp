@@ -12,7 +12,6 @@
 #include <solver/base/piece_share.hpp>
 #include <solver/base/state_hash.hpp>
 
-#include "missing_on_ranks.hpp"
 #include "partition.hpp"
 
 namespace pinball {
@@ -22,13 +21,12 @@ Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
     : SharedNodes(ranks),
       elements_of_tile_(elements_of_tiles(model)),
       work_of_tile_(work_of_tiles(model)),
-      rank_of_tile_((require_ranks_can(model.scene, model.averages_volumes()), ranks_of_tiles(model, ranks))),
+      rank_of_tile_(ranks_of_tiles(model, ranks)),
       tile_packs_(model.tile_packs),
       pack_width_(model.elements.width),
       holders_(model, rank_of_tile_),
       common_(ranks, model.nodes.count),
       sharers_(ranks),
-      averages_volumes_(model.averages_volumes()),
       on_device_(model.scene.device != Device::none) {
   cut_nodes(model.nodes.count);
 }
@@ -148,7 +146,7 @@ void Subdomain<S>::set_levels(const std::vector<int>& level_of_tile) {
 
 template <class S>
 void Subdomain<S>::share_eroded(Model<S>& model, const std::vector<std::int64_t>& of_tile) {
-  if (!common_.any() && !averages_volumes_) return;
+  if (!common_.any()) return;
   std::vector<std::size_t> bytes_of(ranks_.count(), 0);
   std::vector<std::int32_t> own, all;
   for (std::size_t tile = 0; tile < of_tile.size(); ++tile) {

@@ -55,7 +55,6 @@ struct SharedWork {
 template <class S>
 class Subdomain final : public SharedNodes {
  public:
-  /// Throws InputError for a scene with what ranks cannot do (missing_on_ranks).
   Subdomain(const Model<S>& model, Ranks& ranks);
   /// On rank 0 lets the others go.
   ~Subdomain() override;
@@ -187,7 +186,6 @@ class Subdomain final : public SharedNodes {
   RankSharers sharers_;
   std::vector<std::uint8_t> is_alive_;  ///< per slot: the element of it, as all ranks know
   bool has_eroded_ = false;             ///< any, since share_strains()
-  bool averages_volumes_;               ///< of elements, over what has not eroded
   std::vector<std::shared_ptr<SharedBlocks>> blocks_;
   std::vector<std::int32_t> block_of_span_;  ///< of nodes
   std::vector<std::int64_t> end_of_block_;   ///< node behind the last of each

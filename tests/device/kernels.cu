@@ -44,7 +44,7 @@ template <class S>
 __global__ void average_volumes(NodalVolumeView<S> volumes, ElementView<S> elements, NodeView<S> nodes) {
   const std::int64_t i = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
   FindsVolumes<S, S, 32>{volumes, elements.corner, elements.mass, nodes.position}(i);
-  AveragesVolumes<S, S>{volumes, elements.mass}(i);
+  AveragesVolumes<S>{volumes}(i);
   TakesAveragedVolumes<S, S, 32>{volumes, elements.volume_ratio}(i);
 }
 

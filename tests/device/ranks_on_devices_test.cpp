@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <tests/support/tetrahedra_case.hpp>
-
 #include "ranks_on_devices_case.hpp"
 
 /// Several ranks with a device each: the bits of one process on that device, whatever their number and whatever each
@@ -95,10 +93,11 @@ std::string refusal(const Scene& scene) {
   });
 }
 
-TEST_P(RanksOnDevices, RefuseByNameWhatTheyCannotDo) {
-  EXPECT_THAT(refusal(on_device(torn_tetrahedra())),
-              testing::HasSubstr("several ranks with a device each cannot do this scene yet: it has elements with "
-                                 "averaged volumes; expected --device none, or one process, without mpirun"));
+TEST_P(RanksOnDevices, RefuseByNameWhatNoDeviceCanDo) {
+  Scene scene = on_device(torn());
+  scene.time.subcycling = true;
+  EXPECT_THAT(refusal(scene), testing::HasSubstr("no device can do this scene yet: it has subcycling; expected "
+                                                 "--device none"));
 }
 
 INSTANTIATE_TEST_SUITE_P(On, RanksOnDevices, testing::ValuesIn(devices()), name_of_device);

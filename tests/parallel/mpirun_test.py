@@ -97,7 +97,8 @@ def a_device_each():
     for name, ranks, partition in [("block", 2, "tiles"), ("taylor_bar", 3, "random:7"), ("spinning_block", 2, "tiles"),
                                    ("cantilever", 2, "random:1"), ("plate_impact", 4, "tiles"), ("rod_plate_faces", 1, "tiles"),
                                    ("rod_plate_faces", 2, "tiles"), ("rod_plate_faces", 3, "random:7"),
-                                   ("rod_plate_faces", 4, "tiles"), ("rod_plate", 3, "random:5"), ("wide_blocks", 2, "tiles"), ("sliding_block", 3, "tiles")]:
+                                   ("rod_plate_faces", 4, "tiles"), ("rod_plate", 3, "random:5"), ("wide_blocks", 2, "tiles"), ("sliding_block", 3, "tiles"),
+                                   ("taylor_tetrahedra", 2, "tiles"), ("taylor_tetrahedra", 4, "random:3")]:
         words = [*SCENES[name], "--device", "mock"]
         folder = FOLDER / "devices" / f"{name}_{ranks}"
         run_alone(folder / "alone", *words)

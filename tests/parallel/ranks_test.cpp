@@ -5,7 +5,6 @@
 #include <numeric>
 #include <set>
 
-#include <solver/parallel/missing_on_ranks.hpp>
 #include <solver/parallel/partition.hpp>
 #include <solver/parallel/planned_ranks.hpp>
 #include <solver/parallel/subdomain.hpp>
@@ -22,11 +21,6 @@ namespace {
 using namespace test;
 
 Scene cube(int n = 12) { return scene_of({block("cube", {n, n, n}, 0.01, {}, {1, 2, 3})}, 1e-5, false); }
-
-Scene on_a_device(Scene scene) {
-  scene.device = Device::mock;
-  return scene;
-}
 
 std::vector<std::int32_t> partition_of(const Model<double>& model, int count, const Partition& partition) {
   return on_ranks(
@@ -259,34 +253,6 @@ TEST(Ranks, WithoutTilesTakePart) {
   };
   Solver<double> alone(scene);
   EXPECT_EQ(solved_on<double>(5, {}, scene, hash), hash(alone));
-}
-
-TEST(Ranks, RefuseByNameWhatTheyCannotDo) {
-  Scene scene = pressed_blocks(1e-3);
-  scene.time.subcycling = true;
-  scene.output.body_energies = true;
-  scene.prescribed_velocities[0].when.end = 1e-4;
-  scene.device = Device::mock;
-  EXPECT_EQ(missing_on_ranks(scene, true), "subcycling, elements with averaged volumes");
-  scene.time.subcycling = false;
-  scene.device = Device::none;
-  EXPECT_EQ(missing_on_ranks(scene, true), "");
-  Scene one = cube();
-  EXPECT_EQ(missing_on_ranks(one, false), "");
-  one = on_a_device(one);
-  EXPECT_EQ(missing_on_ranks(one, false), "");
-  one.time.subcycling = true;
-  EXPECT_EQ(missing_on_ranks(one, false), "subcycling");
-  one.device = Device::none;
-  EXPECT_EQ(missing_on_ranks(one, false), "");
-  const Scene refused = on_a_device(torn_tetrahedra());
-  const std::string error = error_of([&] {
-    on_ranks(
-        2, {}, [&](ThreadRanks& ranks) { return Solver<double>(refused, &ranks), 0; },
-        [&](ThreadRanks& ranks) { EXPECT_THROW(Solver<double>(refused, &ranks), InputError); });
-  });
-  EXPECT_THAT(error, testing::HasSubstr("several ranks with a device each cannot do this scene yet: it has elements "
-                                        "with averaged volumes"));
 }
 
 TEST(Ranks, FailAllInOneWayWhereAGuardEndsTheRun) {

@@ -36,27 +36,14 @@ TEST(TetrahedraOnRanks, HaveThemWithWedgesAndPyramids) {
   EXPECT_GT(found.eroded, 10);
 }
 
-/// A block through a plate, both of tetrahedra that erode; a third body is of hexahedra of another material.
-Scene in_contact() {
-  Scene scene = scene_of({cut(block("plate", {7, 7, 2}, 0.01, {0, 0, 0})),
-                          cut(block("block", {2, 2, 3}, 0.011, {0.029, 0.031, 0.0201}, {50, 0, -600}, "other")),
-                          block("below", {5, 5, 2}, 0.013, {0, 0, -0.0262}, {}, "other")},
-                         4e-5);
-  scene.materials = {plastic_material("steel", 4e8, 0.3), plastic_material("other", 6e8, 0.5)};
-  scene.element.bulk_viscosity = true;
-  scene.contact.enforcement = Enforcement::lagrange;
-  scene.contact.gap = ContactGap::face;
-  return scene;
-}
-
 TEST(TetrahedraOnRanks, HaveThemInContact) {
-  const Outcome found = expect_same_on<double>(some_ranks, in_contact());
+  const Outcome found = expect_same_on<double>(some_ranks, striking_tetrahedra());
   EXPECT_GT(found.pairs, 0);
   EXPECT_GT(found.eroded, 0);
 }
 
 TEST(TetrahedraOnRanks, GoOnAtAnotherNumberOfRanks) {
-  for (const Scene& scene : {torn_tetrahedra(), torn_shapes(), in_contact(), striking_bar_of_both()}) {
+  for (const Scene& scene : {torn_tetrahedra(), torn_shapes(), striking_tetrahedra(), striking_bar_of_both()}) {
     Solver<double> alone(scene);
     for (int step = 0; step < 30; ++step) alone.step();
     const StateBytes bytes = solved_on<double>(3, {Partition::By::random, 4}, scene, [&](Solver<double>& solver) {

@@ -22,6 +22,19 @@ inline Scene torn_tetrahedra(Precision precision = Precision::float64, const std
   return scene;
 }
 
+/// A block through a plate, both of tetrahedra that erode; a third body is of hexahedra of another material.
+inline Scene striking_tetrahedra() {
+  Scene scene = scene_of({cut(block("plate", {7, 7, 2}, 0.01, {0, 0, 0})),
+                          cut(block("block", {2, 2, 3}, 0.011, {0.029, 0.031, 0.0201}, {50, 0, -600}, "other")),
+                          block("below", {5, 5, 2}, 0.013, {0, 0, -0.0262}, {}, "other")},
+                         4e-5);
+  scene.materials = {plastic_material("steel", 4e8, 0.3), plastic_material("other", 6e8, 0.5)};
+  scene.element.bulk_viscosity = true;
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  return scene;
+}
+
 /// Nodes and elements of a host.
 struct HostMesh {
   std::vector<Point> nodes;

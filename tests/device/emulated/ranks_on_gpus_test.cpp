@@ -8,6 +8,7 @@
 
 #include <tests/parallel/outcome.hpp>
 #include <tests/parallel/shared_scenes.hpp>
+#include <tests/support/tetrahedra_case.hpp>
 
 #include "emulated_device.hpp"
 
@@ -107,6 +108,28 @@ TEST_F(RanksOnGpus, CopyForcesOnceThereAndOnceBack) {
 }
 
 TEST_F(RanksOnGpus, CopyNothingWhereMessagesReachTheDevice) { expect_in_a_step(3, true, 4, 3); }
+
+/// Beside forces of corners a number for each element that another rank has around one of its nodes.
+TEST_F(RanksOnGpus, CopyVolumesOnceThereAndOnceBack) {
+  Scene scene = torn_tetrahedra(Precision::float64, {6, 6, 12});
+  scene.device = Device::cuda;
+  for (const int ranks : {1, 2, 3}) {
+    SharedWork work;
+    const std::vector<Counts> fewer = counts_of(scene, ranks, 3, work, false),
+                              more = counts_of(scene, ranks, 4, work, false);
+    std::int64_t there = 0, back = 0;
+    for (int rank = 0; rank < ranks; ++rank) {
+      there += more[rank].to_device - fewer[rank].to_device;
+      back += more[rank].to_host - fewer[rank].to_host;
+    }
+    EXPECT_EQ(there, back);
+    const std::int64_t of_volumes = there - 24 * work.records, of_one = 8;
+    EXPECT_EQ(of_volumes % of_one, 0);
+    EXPECT_EQ(of_volumes > 0, ranks > 1);
+    EXPECT_LT(of_volumes / of_one, (ranks - 1) * 6 * 6 * 6 * 12 + 1);
+    EXPECT_LE(there, work.bytes_per_step);
+  }
+}
 
 /// Blocks that do not meet yet: in a step whose lists hold forces alone cross of the nodes of the surface, those of
 /// each from one rank, to all, and what contact reads of its lists on any rank as on one. Of some steps the one in
