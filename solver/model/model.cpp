@@ -360,9 +360,9 @@ Model<S> build_model(const Scene& given) {
   set_failure_limits(model, parts, mass_factor);
   const std::vector<double> onset = folding_onsets(model.mesh);
   features.folding_onset = !onset.empty();
-  const Hexahedra ordered = add_tiles(model, parts, mass_factor);
   const std::int32_t node_count = model.mesh.nodes.size();
-  model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));
+  model.node_of_scene_node =
+      inverse_permutation(first_touch_node_order(add_tiles(model, parts, mass_factor), node_count));
   fill_nodes(model);
   fill_elements(model, features, mass_factor, onset);
   add_point_masses(model);

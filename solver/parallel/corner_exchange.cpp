@@ -11,8 +11,13 @@ template <class S>
 CornerExchange<S>::CornerExchange(Model<S>& model, const CornerPlan& plan,
                                   const std::vector<std::int32_t>& rank_of_tile, Ranks& ranks)
     : plan_(plan), due_(plan, {}), ranks_(ranks), received_(3 * static_cast<std::size_t>(plan.received)) {
-  corner_.renew(model.elements.corner.size());
-  std::copy_n(model.elements.corner.data(), corner_.size(), corner_.data());
+  corner_.reset(model.elements.corner.size());
+  const std::int64_t row = 8 * static_cast<std::int64_t>(model.elements.width);
+  for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {  // of others nothing is written, nor asked for
+    if (rank_of_tile[tile] != ranks_.number()) continue;
+    const std::int64_t first = row * model.tile_packs[tile], end = row * model.tile_packs[tile + 1];
+    std::copy(model.elements.corner.data() + first, model.elements.corner.data() + end, corner_.data() + first);
+  }
   auto record = static_cast<std::int32_t>(model.nodes.count);
   for (const CornerPlan::Corner& of : plan.own) corner_[model.elements.at(of.slot, of.corner, 8)] = record++;
   repeat_in_padding(model, rank_of_tile);

@@ -328,6 +328,10 @@ void Subdomain<S>::gather_ranges(Array<E>& array, const std::vector<std::int32_t
   for (std::size_t i = 0; i < owner.size(); ++i) {
     const auto [first, last] = range(i);
     bytes_of[owner[i]] += (last - first) * sizeof(E);
+  }
+  own.reserve(bytes_of[ranks_.number()] / sizeof(E));
+  for (std::size_t i = 0; i < owner.size(); ++i) {
+    const auto [first, last] = range(i);
     if (owner[i] == ranks_.number()) own.insert(own.end(), array.data() + first, array.data() + last);
   }
   std::vector<std::size_t> next(ranks_.count(), 0);
