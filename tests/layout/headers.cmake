@@ -5,9 +5,14 @@ add_library(compiles_one_header OBJECT ${source})
 target_link_libraries(compiles_one_header PRIVATE Pinball::kernels fmt::fmt PkgConfig::tomlplusplus nlohmann_json::nlohmann_json Eigen3::Eigen
                       pinball_warnings pinball_codegen)
 set_target_properties(compiles_one_header PROPERTIES EXPORT_COMPILE_COMMANDS ON)
-add_test(NAME headers_compile_alone COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/headers_alone_test.py
-                                            ${CMAKE_CURRENT_BINARY_DIR}/headers ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR})
-set_tests_properties(headers_compile_alone PROPERTIES LABELS layout PROCESSORS 2 TIMEOUT 1800 COST 150)
+set(headers_alone ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/headers_alone_test.py ${CMAKE_CURRENT_BINARY_DIR}/headers
+                  ${CMAKE_CXX_COMPILER} ${PROJECT_BINARY_DIR})
+add_test(NAME headers_compile_alone COMMAND ${headers_alone})
+add_test(NAME headers_compile_each_alone COMMAND ${headers_alone} each)
+set_tests_properties(headers_compile_alone PROPERTIES LABELS layout)
+set_tests_properties(headers_compile_each_alone PROPERTIES LABELS "layout;slow")
+set_tests_properties(headers_compile_alone headers_compile_each_alone PROPERTIES
+  PROCESSORS 2 TIMEOUT 1800 COST 150 RESOURCE_LOCK headers_alone)
 
 # All public headers by the paths that hosts use, with nothing else of the tree in reach.
 get_property(headers GLOBAL PROPERTY pinball_public_headers)

@@ -2,9 +2,11 @@
 
     headers_alone_test.py FOLDER COMPILER BUILD_FOLDER      compiled as BUILD_FOLDER compiles FOLDER/one_header.cpp; in
                                                             FOLDER it keeps what was right, which is not compiled again
+    headers_alone_test.py FOLDER COMPILER BUILD_FOLDER each chain by itself, for all that is no word of a header
 
 A header that includes A, and all that A includes, compiles after A as it does alone: it sees nothing that it does not
-include. So headers are compiled in chains of such, the least number of them that has all (Dilworth).
+include. So headers are compiled in chains of such, the least number of them that has all (Dilworth). A source has as
+many of these chains as have no words of each other (header_groups.py): most of the time goes into what all of them read.
 """
 
 import concurrent.futures
@@ -19,11 +21,14 @@ import sys
 import tempfile
 import unittest
 
+import header_groups
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DIRECTIVE = re.compile(r'^[ \t]*#[ \t]*(if|endif|include[ \t]*[<"]([^>"]+)[>"])', re.M)
 # Nearly all headers end up reading these, which takes most of the time. That a header forgets one of them is seen by
 # standard_names.py.
 COMMON = ["algorithm", "array", "functional", "map", "memory", "optional", "span", "string", "vector"]
+COMMON_FILE, PACKS_FILE = "common.hxx", "packs.hxx"
 PACKS = "experimental/simd"  # as long to read as all others, and read by few
 
 
@@ -90,37 +95,51 @@ def command_of(compiler, build, source):
 
 
 class Compiler:
-    def __init__(self, tree, folder, command):
+    def __init__(self, tree, folder, command, each):
         self.headers, self.folder, self.command = Headers(tree), folder, [*command, f"-I{tree}", "-Werror"]
+        self.each, self.precompiled = each, set()
         version = subprocess.run([command[0], "--version"], check=True, capture_output=True, text=True).stdout
         self.start = "\n".join([pathlib.Path(__file__).read_text(), version, *self.command])
 
-    def key(self, chain):
-        read = sorted(set(chain) | self.headers.closure(chain[-1], False))
+    def has_packs(self, chain):
+        return PACKS in self.headers.closure(chain[-1], False)
+
+    def common_of(self, group):
+        return PACKS_FILE if self.has_packs(group[0]) else COMMON_FILE
+
+    def groups(self):
+        """Lists of chains, each for one source."""
+        chains = self.headers.chains()
+        return [[chain] for chain in chains] if self.each else header_groups.groups_of(self.headers, chains, self.has_packs)
+
+    def key(self, group):
+        names = [name for chain in group for name in chain]
+        read = sorted(set(names).union(*(self.headers.closure(chain[-1], False) for chain in group)))
         content = "".join((self.headers.tree / name).read_text() for name in read if (self.headers.tree / name).is_file())
-        return hashlib.sha256((self.start + "\n".join(chain) + content).encode()).hexdigest()
+        return hashlib.sha256((self.start + "\n".join(names) + content).encode()).hexdigest()
 
     def precompile(self, name, includes):
         path = self.folder / name
         path.write_text("".join(f"#include <{include}>\n" for include in includes))
         subprocess.run([*self.command, "-x", "c++-header", path, "-o", f"{path}.gch"], check=True)
+        self.precompiled.add(name)
 
-    def problem(self, chain):
-        """What the compiler says of a chain, or nothing."""
-        common = "packs.hxx" if PACKS in self.headers.closure(chain[-1], False) else "common.hxx"
-        text = "".join(2 * f"#include <{name}>\n" for name in chain)
-        run = subprocess.run([*self.command, "-include", self.folder / common, "-fsyntax-only", "-x", "c++", "-"], input=text,
+    def problem(self, group):
+        """What the compiler says of chains in one source, or nothing."""
+        text = "".join(2 * f"#include <{name}>\n" for chain in group for name in chain)
+        common = self.folder / self.common_of(group)
+        run = subprocess.run([*self.command, "-include", common, "-fsyntax-only", "-x", "c++", "-"], input=text,
                              capture_output=True, text=True)
         return run.stderr if run.returncode else ""
 
     def problems(self):
-        right = self.folder / "right"
+        right = self.folder / ("right_each" if self.each else "right")
         known = set(right.read_text().split()) if right.exists() else set()
-        keys = {self.key(chain): chain for chain in self.headers.chains()}
+        keys = {self.key(group): group for group in self.groups()}
         new = [key for key in keys if key not in known]
-        if new:
-            self.precompile("common.hxx", COMMON)
-            self.precompile("packs.hxx", [*COMMON, PACKS])
+        for name, includes in {COMMON_FILE: COMMON, PACKS_FILE: [*COMMON, PACKS]}.items():
+            if name not in self.precompiled and any(self.common_of(keys[key]) == name for key in new):
+                self.precompile(name, includes)
         with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
             said = dict(zip(new, pool.map(lambda key: self.problem(keys[key]), new)))
         right.write_text("".join(f"{key}\n" for key in keys if not said.get(key)))
@@ -131,21 +150,33 @@ class HeadersAlone(unittest.TestCase):
     def test_all_compile(self):
         folder, build = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[3])
         command = command_of(sys.argv[2], build, folder / "one_header.cpp")
-        self.assertEqual("\n".join(Compiler(ROOT, folder, command).problems()), "")
+        self.assertEqual("\n".join(Compiler(ROOT, folder, command, "each" in sys.argv[4:]).problems()), "")
 
     def test_each_is_in_a_chain_once(self):
         headers = Headers(ROOT)
         self.assertEqual(sorted(name for chain in headers.chains() for name in chain), headers.names)
         self.assertGreater(len(headers.names), 500)
 
+    def test_groups_have_each_chain_once(self):
+        headers = Headers(ROOT)
+        groups = header_groups.groups_of(headers, headers.chains(), lambda chain: PACKS in headers.closure(chain[-1], False))
+        self.assertEqual(sorted(chain for group in groups for chain in group), headers.chains())
+        self.assertLess(len(groups), len(headers.chains()) / 2)
+
     def test_finds_what_is_planted(self):
         """A header that takes what another includes, or what is included for some alone; and one that defines twice."""
         planted = {
-            "a": "#pragma once\nstruct A {};\n",
-            "b": '#pragma once\n#include "a.hpp"\nstruct B : A {};\n',
-            "c": '#pragma once\n#include "a.hpp"\n#include "b.hpp"\nstruct C : B {};\n',
-            "no_include": '#pragma once\n#include "a.hpp"\nstruct NoInclude : B {};\n',
-            "for_some": '#pragma once\n#include "a.hpp"\n#ifdef FOR_SOME\n#include "b.hpp"\n#endif\nstruct ForSome : B {};\n',
+            "a": "#pragma once\nstruct Alpha {};\n",
+            "b": '#pragma once\n#include "a.hpp"\nstruct Beta : Alpha {};\n',
+            "c": '#pragma once\n#include "a.hpp"\n#include "b.hpp"\nstruct Gamma : Beta {};\n'
+                 "#define MACRO_OF_C 1\ninline int function_of_c(int a) { return a; }\n"
+                 "inline Alpha operator+(Alpha a, Alpha) { return a; }\n",
+            "d": "#pragma once\nstruct Delta {};\n",
+            "no_include": '#pragma once\n#include "a.hpp"\nstruct NoInclude : Beta {};\n',
+            "for_some": '#pragma once\n#include "a.hpp"\n#ifdef FOR_SOME\n#include "b.hpp"\n#endif\nstruct ForSome : Beta {};\n',
+            "no_function": '#pragma once\n#include "a.hpp"\ninline int no_function() { return function_of_c(1); }\n',
+            "no_macro": "#pragma once\ninline int no_macro() { return MACRO_OF_C; }\n",
+            "no_operator": '#pragma once\n#include "a.hpp"\ninline Alpha no_operator() { return Alpha{} + Alpha{}; }\n',
             "no_guard": "struct NoGuard {};\n",
             "warns": "#pragma once\ninline int warns(int number) { return 0; }\n",
         }
@@ -154,10 +185,14 @@ class HeadersAlone(unittest.TestCase):
             (tree / "kernels").mkdir(parents=True)
             for name, text in planted.items():
                 (tree / "kernels" / f"{name}.hpp").write_text(text)
-            compiler = Compiler(tree, pathlib.Path(folder), [sys.argv[2], "-std=c++20", "-Wall", "-Wextra"])
-            for _ in range(2):  # what was wrong is compiled again
-                wrong = {name for text in compiler.problems() for name in planted if f"kernels/{name}.hpp:" in text}
-                self.assertEqual(wrong, {"no_include", "for_some", "no_guard", "warns"})
+            command = [sys.argv[2], "-std=c++20", "-Wall", "-Wextra"]
+            expected = {"no_include", "for_some", "no_function", "no_macro", "no_operator", "no_guard", "warns"}
+            for each in (False, True):
+                compiler = Compiler(tree, pathlib.Path(folder), command, each)
+                for _ in range(2):  # what was wrong is compiled again
+                    wrong = {name for text in compiler.problems() for name in planted if f"kernels/{name}.hpp:" in text}
+                    self.assertEqual(wrong, expected)
+            self.assertTrue(any(len(group) > 1 for group in Compiler(tree, pathlib.Path(folder), command, False).groups()))
 
 
 if __name__ == "__main__":
