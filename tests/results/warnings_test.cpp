@@ -56,6 +56,20 @@ TEST(Warnings, EnergyBalance) {
   EXPECT_THAT(warnings(s), ElementsAre(testing::EndsWith("time.cfl")));
 }
 
+/// Shorter steps lose more of what is slow.
+TEST(Warnings, EnergyOfSinglePrecisionNamesIt) {
+  for (WatchedShare RunSummary::*const share :
+       {&RunSummary::balance_error_in_motion, &RunSummary::internal_below_zero}) {
+    RunSummary s = sound();
+    s.*share = {0.4, 1.5e-4, "element 17 of body rod"};
+    s.precision = "float";
+    EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("try precision = \"mixed\", which keeps what is slow, or a smaller "
+                                                   "time.cfl")));
+    s.precision = "double";
+    EXPECT_THAT(warnings(s), ElementsAre(testing::Not(HasSubstr("precision"))));
+  }
+}
+
 TEST(Warnings, PenetrationUnlessSomethingEroded) {
   RunSummary s = sound();
   s.max_penetration_ratio = 0.6;
