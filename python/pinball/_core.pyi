@@ -710,9 +710,9 @@ class Material:
     orthotropic: Optional[Orthotropic]
     """table (below): moduli that differ with the direction, for small strains and any rotation, in the place of the moduli; None: none"""
     fluid: Optional[Fluid]
-    """table (below), in the place of all strength, shear_modulus and yield_stress, beside an equation_of_state; elements of viscous hourglass control, or none; None: none"""
+    """table (below), in the place of all strength, shear_modulus and yield_stress, beside an equation_of_state; of "von_mises", with elements of viscous hourglass control, or none; None: none"""
     equation_of_state: Optional[EquationOfState]
-    """table (below), in the place of the bulk modulus, beside shear_modulus or fluid; None: none"""
+    """table (below), in the place of the bulk modulus, beside shear_modulus or fluid; of "von_mises"; None: none"""
     erosion: Optional[Erosion]
     """table (below) of limits: an element beyond one of them is eroded; of elastic materials, too; None: none"""
 

@@ -222,9 +222,11 @@ TEST_F(MaterialLawsScene, OverridesReachIntoThem) {
 }
 
 TEST_F(MaterialLawsScene, AnElasticMaterialKeepsNothingOfThem) {
-  const Scene scene = read(lines(copper), {.set = {"material.copper.model=elastic"}});
-  EXPECT_FALSE(scene.materials[0].equation_of_state);
+  const SceneOverrides elastic{.set = {"material.copper.model=elastic"}};
+  const Scene scene = read(with_law("johnson_cook = { hardening_coefficient = 2.9e8 }"), elastic);
+  EXPECT_FALSE(scene.materials[0].johnson_cook);
   EXPECT_GT(scene.materials[0].bulk_modulus, 1e11);
+  EXPECT_FALSE(read(with(10, brittle()), elastic).materials[0].johnson_holmquist);
 }
 
 TEST_F(MaterialLawsScene, RefusesLawsThatLackSomething) {
@@ -325,6 +327,24 @@ TEST_F(MaterialLawsScene, RefusesLimitsThatAreNone) {
   EXPECT_THAT(error(lines("equation_of_state = { sound_speed = 3940.0, tension_limit = 1e9 }\n"
                           "erosion = { tension = 2e9 }")),
               HasSubstr("erosion.tension: expected a number < equation_of_state.tension_limit = 1000000000"));
+}
+
+/// model = "elastic" turns plasticity off, and not the pressure.
+TEST_F(MaterialLawsScene, RefusesPressuresThatElasticMaterialsHaveNot) {
+  const auto elastic = [&](const std::vector<std::string>& scene) {
+    return error(scene, {.set = {"material.copper.model=elastic"}});
+  };
+  EXPECT_THAT(elastic(lines(copper)), HasSubstr("equation_of_state: not used with model = \"elastic\""));
+  std::vector<std::string> water = with(10, "fluid = { viscosity = 1e-3 }\n" + std::string(copper));
+  water[7] = water[8] = "";
+  EXPECT_THAT(elastic(water), HasSubstr("fluid: not used with model = \"elastic\""));
+  EXPECT_THAT(elastic(with(10, brittle("", ", quadratic_modulus = 1e9"))),
+              HasSubstr("johnson_holmquist: expected model = \"von_mises\" beside it, got \"elastic\""));
+  EXPECT_EQ(elastic(with(10, brittle())), "no error") << "its pressure is that of bulk_modulus";
+  EXPECT_EQ(elastic(with_law("johnson_cook = { hardening_coefficient = 2.9e8 }")), "no error");
+  Scene host = read(lines(copper));
+  host.materials[0].plastic = false;
+  EXPECT_THROW(checked_scene(host), InputError);
 }
 
 TEST_F(MaterialLawsScene, HostsAreToldTheSame) {

@@ -125,6 +125,20 @@ std::optional<Problem> problem_of_equation_of_state(const Material& m) {
   return inside("equation_of_state", problem_of(*m.equation_of_state));
 }
 
+/// A pressure is no plasticity: model = "elastic", which turns that off, would leave another one, of bulk_modulus
+/// alone.
+std::optional<Problem> problem_of_elastic(const Material& m) {
+  const auto& brittle = m.johnson_holmquist;
+  const bool bends = brittle && (brittle->quadratic_modulus != 0 || brittle->cubic_modulus != 0);
+  const char* const key = m.fluid               ? "fluid"
+                          : m.equation_of_state ? "equation_of_state"
+                          : bends               ? "johnson_holmquist"
+                                                : nullptr;
+  if (key == nullptr) return {};
+  return Problem{key,
+                 "expected model = \"von_mises\" beside it, got \"elastic\", whose pressure is of bulk_modulus alone"};
+}
+
 std::optional<Problem> problem_of_erosion(const Material& m) {
   if (const auto problem = inside("erosion", problem_of(*m.erosion))) return problem;
   const auto beyond = [&](const char* key, double limit) {
@@ -189,6 +203,9 @@ std::optional<Problem> problem_of_curve(const Material& m, std::size_t c) {
 }  // namespace
 
 std::optional<Problem> problem_of(const Material& material) {
+  if (!material.plastic) {
+    if (const auto problem = problem_of_elastic(material)) return problem;
+  }
   if (const auto problem = problem_of_hardening(material)) return problem;
   for (std::size_t c = 0; c < material.yield_curves.size(); ++c) {
     if (const auto problem = problem_of_curve(material, c)) return problem;

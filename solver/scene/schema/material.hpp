@@ -285,14 +285,16 @@ constexpr void describe(Of<Material>, Visit&& visit) {
   visit(Key{"fluid",
             &T::fluid,
             "table (below), in the place of all strength, `shear_modulus` and `yield_stress`, beside an "
-            "`equation_of_state`; elements of viscous hourglass control, or none",
+            "`equation_of_state`; of `\"von_mises\"`, with elements of viscous hourglass control, or none",
             {.otherwise = "none"}}
-            .only_where(plastic));
+            .only_where(plastic, "with model = \"elastic\": expected \"von_mises\", which has no yield_stress then"));
   visit(Key{"equation_of_state",
             &T::equation_of_state,
-            "table (below), in the place of the bulk modulus, beside `shear_modulus` or `fluid`",
+            "table (below), in the place of the bulk modulus, beside `shear_modulus` or `fluid`; of `\"von_mises\"`",
             {.otherwise = "none"}}
-            .only_where(plastic));
+            .only_where(plastic,
+                        "with model = \"elastic\": expected \"von_mises\", with a yield_stress that is never reached "
+                        "where nothing yields"));
   where_it_deforms(Key{"erosion",
                        &T::erosion,
                        "table (below) of limits: an element beyond one of them is eroded; of elastic materials, too",
