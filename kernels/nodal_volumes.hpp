@@ -12,9 +12,7 @@ namespace pinball {
 
 /// What stands for the volume of an eroded element, and says so to who does not have its mass: no volume is as small.
 template <class S>
-PINBALL_FUNCTION constexpr S eroded_volume() {
-  return S(-3e38);  // which single precision just holds
-}
+inline constexpr S eroded_volume = S(-3e38);  // which single precision just holds
 
 template <class S>
 struct NodalVolumeView {
@@ -23,7 +21,7 @@ struct NodalVolumeView {
       corners;  ///< [elements + 1]: where those of each begin in `group`: 4 of a tetrahedron, 6 of a wedge
   const std::int32_t* group;   ///< of each of these corners: its node, with the material
   const S* undeformed;         ///< per element [length^3]
-  S* volume;                   ///< per element: of four of its nodes; eroded: eroded_volume() [length^3]
+  S* volume;                   ///< per element: of four of its nodes; eroded: eroded_volume [length^3]
   const std::int32_t* first;   ///< [groups + 1]: where the elements of each begin in `around`
   const std::int32_t* around;  ///< elements, ascending by their places, as often as they have corners there
   S* ratio;                    ///< per group: J_a [-]
@@ -43,7 +41,7 @@ struct FindsVolumes {
     const std::int64_t place = of.place[t];
     const std::int32_t* const own = corner + place_in_rows<L>(place, 8);
     if (!(mass[place] > E(0))) {
-      of.volume[t] = eroded_volume<S>();
+      of.volume[t] = eroded_volume<S>;
     } else if (of.is_tetrahedron(t)) {
       const Vec3<S> a = node(own, tetrahedron_corner(0));
       const TetrahedronEdges<S> x{{node(own, tetrahedron_corner(1)) - a, node(own, tetrahedron_corner(2)) - a,
@@ -75,7 +73,7 @@ struct AveragesVolumes {
     S now = 0, undeformed = 0;
     for (std::int32_t i = of.first[group]; i < of.first[group + 1]; ++i) {
       const std::int32_t t = of.around[i];
-      if (of.volume[t] == eroded_volume<S>()) continue;
+      if (of.volume[t] == eroded_volume<S>) continue;
       now += of.volume[t];
       undeformed += of.undeformed[t];
     }
