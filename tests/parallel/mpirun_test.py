@@ -198,7 +198,7 @@ def message_of(status, ranks, *words):
 
 def errors():
     ranks = 3
-    assert "cannot do this scene yet: it has subcycling" in message_of(2, ranks, "refined_layer", "--device", "mock")
+    assert "no device can do this scene yet: it has subcycling" in message_of(2, ranks, "refined_layer", "--device", "mock")
     assert "no such scene" in message_of(2, ranks, "nothing_of_this_name")
     assert "guard.energy_error" in message_of(1, ranks, "taylor_bar", "--set", "guard.energy_error=1e-9",
                                               "--set", "output.field_times=[]")
