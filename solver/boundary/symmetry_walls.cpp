@@ -69,8 +69,8 @@ SymmetryWalls<S>::SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>&
       }
       for (const RigidNodes& rigid : model.rigid)  // they do not cross it one by one
         std::erase_if(nodes, [&](std::int32_t n) { return std::ranges::binary_search(rigid.nodes, n); });
-      std::ranges::sort(
-          nodes);  // all are looked at in each step after the first erosion: in the order in which they lie
+      // All are looked at in each step after the first erosion: in the order in which they lie.
+      std::ranges::sort(nodes);
       nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
       Point inward = plane.normal;
       for (double& c : inward) c *= sign;
