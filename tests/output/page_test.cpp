@@ -183,14 +183,14 @@ Json block(const std::string& page, const std::string& id) {
 
 class RunPage : public testing::Test {
  protected:
-  std::string page(const RunPageSettings& settings = {}) {
+  std::string page(const RunPageSettings& settings = {}, const Scene& of = scene()) {
     RunSummary summary;
     summary.scene = "small";
     summary.title = "Tit</title><script>le\xFF";
     summary.units = "m-kg-s";
     summary.threads = 3;
     summary.energy.kinetic = std::numeric_limits<double>::quiet_NaN();
-    write_run_page(folder_.path.string(), scene(), summary, settings);
+    write_run_page(folder_.path.string(), of, summary, settings);
     return test::content(folder_ / "index.html");
   }
   test::TemporaryFolder folder_{"run_page"};
@@ -209,6 +209,18 @@ TEST_F(RunPage, HasTheNumbersAndEveryKey) {
   EXPECT_THAT(text, HasSubstr("<!-- pictures -->"));
   EXPECT_THAT(text, HasSubstr("<!-- /pictures -->"));
   EXPECT_THAT(text, HasSubstr("id=\"status\">done<"));
+}
+
+/// A deck may have a load for each of its nodes.
+TEST_F(RunPage, HasTheFirstOfManyTables) {
+  Scene many = scene();
+  many.loads.resize(50'000);
+  const std::string text = page({}, many);
+  EXPECT_LT(text.size(), 2'000'000U) << "of one load alone: " << page().size();
+  const Json keys = block(text, "scene")["keys"];
+  EXPECT_EQ(keys.back()[0], "load");
+  EXPECT_THAT(std::string(keys.back()[1]), testing::MatchesRegex("and [0-9]+ keys more"));
+  EXPECT_THAT(keys, testing::Contains(Json{"time.end", "1", "s", false}));
 }
 
 /// Numbers beyond those of a double are none; the row counts, and so does what stands behind them.

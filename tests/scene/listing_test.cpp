@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
+#include <utility>
 
 #include <solver/scene/toml/listing.hpp>
 #include <solver/scene/toml/table.hpp>
@@ -132,6 +134,24 @@ TEST(SceneListing, HasWhatOnlyAHostCanGive) {
   for (const SceneEntry& entry : in_table(list_scene(scene), "rigid_wall.wall_0")) keys.push_back(entry.key);
   EXPECT_THAT(keys, testing::IsSupersetOf({"plane.point", "plane.normal"}));
   EXPECT_EQ(std::count(keys.begin(), keys.end(), "body"), 1);
+}
+
+/// Studies go on with a run whose scene is listed as it was.
+TEST(SceneListing, TellsAsManyOtherNumbersApart) {
+  const auto listed = [](std::vector<std::int64_t> numbers) {
+    Scene scene = example();
+    scene.fixed_constraints.emplace_back().nodes.nodes = std::move(numbers);
+    std::string text;
+    for (const SceneEntry& entry : list_scene(scene)) text += entry.key == "nodes" ? entry.value : "";
+    return text;
+  };
+  std::vector<std::int64_t> many(100);
+  std::iota(many.begin(), many.end(), 1);
+  const std::string first = listed(many);
+  many[50] = 1000;
+  EXPECT_EQ(listed({3, 5, 9}), "[3, 5, 9]");
+  EXPECT_EQ(first.substr(0, 11), "100 numbers");
+  EXPECT_NE(first, listed(many));
 }
 
 TEST(SceneListing, WritesValuesAsASceneHasThem) {

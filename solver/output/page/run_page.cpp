@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include <solver/output/output_file.hpp>
@@ -58,16 +59,39 @@ std::string command_of(const SceneSource& source, const RunSummary& summary) {
   return command + fmt::format(" --threads {}", summary.threads);
 }
 
-Json scene_json(const Scene& scene, const Units& units, const RunPageSettings& settings, const RunSummary& summary) {
+std::string kind_of(const SceneEntry& entry) { return entry.table.substr(0, entry.table.find('.')); }
+
+/// A deck may have a load, or a stress, for each of a million nodes or elements: of each kind of table the first.
+Json keys_json(const Scene& scene, const Units& units) {
+  constexpr std::size_t most_of_kind = 20'000;
   Json keys = Json::array();
+  std::map<std::string, std::size_t> counts;
   for (const SceneEntry& entry : list_scene(scene)) {
+    if (++counts[kind_of(entry)] > most_of_kind) continue;
     const std::string name = entry.table.empty() ? entry.key : entry.table + '.' + entry.key;
     keys.push_back({name, entry.value, unit_of(entry.unit, units), entry.is_default});
   }
-  Json json{{"keys", keys}};
+  for (const auto& [kind, count] : counts) {
+    if (count > most_of_kind) keys.push_back({kind, fmt::format("and {} keys more", count - most_of_kind), "", false});
+  }
+  return keys;
+}
+
+/// What a browser shows at once; cut at the end of a line.
+std::string beginning_of(std::string text) {
+  constexpr std::size_t most = 1'000'000;
+  if (text.size() <= most) return text;
+  const std::size_t size = text.size();
+  text.resize(text.find_last_of('\n', most) == std::string::npos ? most : text.find_last_of('\n', most) + 1);
+  return text + fmt::format("# ... and {} characters more", size - text.size());
+}
+
+Json scene_json(const Scene& scene, const Units& units, const RunPageSettings& settings, const RunSummary& summary) {
+  Json json{{"keys", keys_json(scene, units)}};
   if (settings.source != nullptr) {
     json["path"] = settings.source->path;
-    json["text"] = settings.source->given ? write_toml(settings.source->given->table) : settings.source->text;
+    json["text"] =
+        beginning_of(settings.source->given ? write_toml(settings.source->given->table) : settings.source->text);
     json["command"] = command_of(*settings.source, summary);
   }
   return json;

@@ -26,13 +26,9 @@ std::string toml_text(const std::optional<Value>& value) {
   return toml_text(*value);
 }
 std::string toml_text(const ContactSide& side);
-/// What is too long is counted.
-inline std::string toml_text(const std::vector<std::int64_t>& numbers) {
-  return fmt::format("{} numbers", numbers.size());
-}
-inline std::string toml_text(const std::vector<std::array<std::int64_t, 4>>& faces) {
-  return fmt::format("{} faces", faces.size());
-}
+/// What is too long is counted, with a checksum that tells it from as many others.
+std::string toml_text(const std::vector<std::int64_t>& numbers);
+std::string toml_text(const std::vector<std::array<std::int64_t, 4>>& faces);
 inline std::string toml_text(const std::optional<ElementSettings>&) { return "its own, below"; }
 
 template <class T>

@@ -1,5 +1,8 @@
 #include "listing.hpp"
 
+#include <span>
+
+#include <solver/base/state_hash.hpp>
 #include <solver/scene/schema/scene.hpp>
 #include <solver/scene/without_keys.hpp>
 
@@ -7,6 +10,20 @@
 #include "list_keys.hpp"
 
 namespace pinball {
+
+std::string toml_text(const std::vector<std::int64_t>& numbers) {
+  constexpr std::size_t most_written = 12;
+  if (numbers.size() <= most_written) return fmt::format("[{}]", fmt::join(numbers, ", "));
+  StateHash hash;
+  hash.add(std::span<const std::int64_t>(numbers));
+  return fmt::format("{} numbers, checksum {:016x}", numbers.size(), hash.value());
+}
+
+std::string toml_text(const std::vector<std::array<std::int64_t, 4>>& faces) {
+  StateHash hash;
+  for (const auto& face : faces) hash.add(std::span<const std::int64_t>(face));
+  return fmt::format("{} faces, checksum {:016x}", faces.size(), hash.value());
+}
 
 namespace {
 
