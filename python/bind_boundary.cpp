@@ -23,6 +23,7 @@ void bind_boundary(py::module_& module) {
   bind_table<Gravity>(module, "Gravity", "[[gravity]]");
   bind_table<PointMass>(module, "PointMass", "[[point_mass]]");
   bind_table<InitialVelocity>(module, "InitialVelocity", "[[initial_velocity]]");
+  bind_table<InitialStress>(module, "InitialStress", "[[initial_stress]]");
   bind_table<Probe>(module, "Probe", "[[probe]]: a node or an element, by a point at the start or by its number");
   bind_table<RigidBody>(module, "RigidBody", "[[rigid_body]]");
   bind_table<AttachedNodes>(module, "AttachedNodes", "[[rigid_nodes]]");
@@ -42,6 +43,7 @@ void bind_boundary(py::module_& module) {
   bind_list<Gravity>(module, "Gravities");
   bind_list<PointMass>(module, "PointMasses");
   bind_list<InitialVelocity>(module, "InitialVelocities");
+  bind_list<InitialStress>(module, "InitialStresses");
   bind_list<Probe>(module, "Probes");
 }
 

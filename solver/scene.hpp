@@ -176,6 +176,7 @@ struct Scene {
   std::vector<Gravity> gravities;
   std::vector<PointMass> point_masses;
   std::vector<InitialVelocity> initial_velocities;
+  std::vector<InitialStress> initial_stresses;
   std::vector<Probe> probes;
   OutputSettings output;
 };

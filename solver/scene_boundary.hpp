@@ -165,6 +165,16 @@ struct InitialVelocity {
   std::array<bool, 3> components{{true, true, true}};  ///< components: those that are set; the others stay
 };
 
+/// [[initial_stress]]: of some elements at the start. A set of elements or a part stands for its elements; else those
+/// all of whose corners are selected.
+struct InitialStress {
+  NodeSelection nodes{};
+  std::vector<std::int64_t> elements{};  ///< elements: by the numbers that the mesh file gives them
+  Point stress{};                        ///< stress: xx, yy, zz of Cauchy's, along x, y, z [stress]
+  Point shear_stress{};                  ///< shear_stress: xy, yz, zx [stress]
+  double plastic_strain = 0;             ///< plastic_strain: effective; of what yields [-]
+};
+
 enum class ProbeKind { node, element };
 
 /// [[probe]]: history of a node or an element: the one nearest to a point at the start, or the one that a mesh file

@@ -1145,6 +1145,20 @@ class InitialVelocity:
     nodes: NodeSelection
     """which nodes"""
 
+class InitialStress:
+    """[[initial_stress]]"""
+    def __init__(self, *, stress: Sequence[float] = ..., shear_stress: Sequence[float] = ..., plastic_strain: float = ..., elements: Sequence[int] = ..., nodes: NodeSelection = ...) -> None: ...
+    stress: Field[list[float], Sequence[float]]
+    """xx, yy, zz of Cauchy's stress, along x, y, z as the mesh lies; the last table that selects an element counts [stress]"""
+    shear_stress: Field[list[float], Sequence[float]]
+    """xy, yz, zx [stress]"""
+    plastic_strain: float
+    """effective, of what yields [-]"""
+    elements: Field[list[int], Sequence[int]]
+    """[11, 12, ...]: the numbers that the mesh file gives its elements"""
+    nodes: NodeSelection
+    """which elements: those of a set or a part, or those with all corners here"""
+
 class Probe:
     """[[probe]]: a node or an element, by a point at the start or by its number"""
     def __init__(self, *, name: str = ..., kind: Union[ProbeKind, str] = ..., point: Sequence[float] = ..., number: Optional[int] = ..., body: str = ..., quantities: Sequence[str] = ..., where: str = ...) -> None: ...
@@ -1445,6 +1459,21 @@ class InitialVelocities(MutableSequence[InitialVelocity]):
     def __delitem__(self, place: Union[int, slice]) -> None: ...
     def insert(self, index: int, value: InitialVelocity) -> None: ...
 
+class InitialStresses(MutableSequence[InitialStress]):
+    """A list of InitialStress."""
+    def __init__(self, items: Iterable[InitialStress] = ...) -> None: ...
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, place: int) -> InitialStress: ...
+    @overload
+    def __getitem__(self, place: slice) -> list[InitialStress]: ...
+    @overload
+    def __setitem__(self, place: int, value: InitialStress) -> None: ...
+    @overload
+    def __setitem__(self, place: slice, value: Iterable[InitialStress]) -> None: ...
+    def __delitem__(self, place: Union[int, slice]) -> None: ...
+    def insert(self, index: int, value: InitialStress) -> None: ...
+
 class Probes(MutableSequence[Probe]):
     """A list of Probe."""
     def __init__(self, items: Iterable[Probe] = ...) -> None: ...
@@ -1484,7 +1513,7 @@ class SceneSource:
 
 class Scene:
     """What is to be run: the fields are those of a scene file."""
-    def __init__(self, *, name: str = ..., path: str = ..., title: str = ..., units: str = ..., precision: Union[Precision, str] = ..., device: Union[Device, str] = ..., refine: int = ..., of_deck: bool = ..., time: TimeSettings = ..., element: ElementSettings = ..., contact: ContactSettings = ..., contact_pairs: Union[ContactPairs, list[ContactPair]] = ..., tied_contacts: Union[TiedContacts, list[TiedContact]] = ..., skip: SkipSettings = ..., guard: GuardSettings = ..., output: OutputSettings = ..., materials: Union[Materials, list[Material]] = ..., bodies: Union[Bodies, list[Body]] = ..., rigid_bodies: Union[RigidBodies, list[RigidBody]] = ..., attached_nodes: Union[AttachedNodesList, list[AttachedNodes]] = ..., rigid_motions: Union[RigidMotions, list[RigidMotion]] = ..., joints: Union[Joints, list[Joint]] = ..., symmetry_planes: Union[SymmetryPlanes, list[SymmetryPlane]] = ..., fixed: Union[FixedConstraints, list[Fixed]] = ..., equation_terms: Union[EquationTerms, list[EquationTerm]] = ..., rigid_walls: Union[RigidWalls, list[RigidWall]] = ..., prescribed_velocities: Union[PrescribedVelocities, list[PrescribedVelocity]] = ..., loads: Union[Loads, list[Load]] = ..., pressures: Union[Pressures, list[Pressure]] = ..., gravities: Union[Gravities, list[Gravity]] = ..., point_masses: Union[PointMasses, list[PointMass]] = ..., initial_velocities: Union[InitialVelocities, list[InitialVelocity]] = ..., damping: float = ..., probes: Union[Probes, list[Probe]] = ..., source: Optional[SceneSource] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., path: str = ..., title: str = ..., units: str = ..., precision: Union[Precision, str] = ..., device: Union[Device, str] = ..., refine: int = ..., of_deck: bool = ..., time: TimeSettings = ..., element: ElementSettings = ..., contact: ContactSettings = ..., contact_pairs: Union[ContactPairs, list[ContactPair]] = ..., tied_contacts: Union[TiedContacts, list[TiedContact]] = ..., skip: SkipSettings = ..., guard: GuardSettings = ..., output: OutputSettings = ..., materials: Union[Materials, list[Material]] = ..., bodies: Union[Bodies, list[Body]] = ..., rigid_bodies: Union[RigidBodies, list[RigidBody]] = ..., attached_nodes: Union[AttachedNodesList, list[AttachedNodes]] = ..., rigid_motions: Union[RigidMotions, list[RigidMotion]] = ..., joints: Union[Joints, list[Joint]] = ..., symmetry_planes: Union[SymmetryPlanes, list[SymmetryPlane]] = ..., fixed: Union[FixedConstraints, list[Fixed]] = ..., equation_terms: Union[EquationTerms, list[EquationTerm]] = ..., rigid_walls: Union[RigidWalls, list[RigidWall]] = ..., prescribed_velocities: Union[PrescribedVelocities, list[PrescribedVelocity]] = ..., loads: Union[Loads, list[Load]] = ..., pressures: Union[Pressures, list[Pressure]] = ..., gravities: Union[Gravities, list[Gravity]] = ..., point_masses: Union[PointMasses, list[PointMass]] = ..., initial_velocities: Union[InitialVelocities, list[InitialVelocity]] = ..., initial_stresses: Union[InitialStresses, list[InitialStress]] = ..., damping: float = ..., probes: Union[Probes, list[Probe]] = ..., source: Optional[SceneSource] = ...) -> None: ...
     name: str
     """of the file, without folder and ending"""
     path: str
@@ -1549,6 +1578,8 @@ class Scene:
     """at nodes, beside those of elements"""
     initial_velocities: Field[InitialVelocities, Union[InitialVelocities, list[InitialVelocity]]]
     """of nodes, in place of their body's"""
+    initial_stresses: Field[InitialStresses, Union[InitialStresses, list[InitialStress]]]
+    """of elements at the start"""
     damping: float
     """damping.mass [1/time]"""
     probes: Field[Probes, Union[Probes, list[Probe]]]

@@ -27,6 +27,7 @@
 #include "elements/folding_onsets.hpp"
 #include "elements/mass_scaling.hpp"
 #include "initial_overlap.hpp"
+#include "initial_stresses.hpp"
 #include "initial_velocities.hpp"
 #include "interfaces/tied_at_walls.hpp"
 #include "interfaces/ties.hpp"
@@ -371,6 +372,7 @@ Model<S> build_model(const Scene& given) {
   number_rigid_nodes(model.rigid, model.node_of_scene_node);
   set_constraints(model, 0);
   set_initial_velocities(model);
+  set_initial_stresses(model);
   const std::vector<std::string> left_out = find_left_out(model.scene, model.mesh);
   model.mesh.warnings.insert(model.mesh.warnings.end(), left_out.begin(), left_out.end());
   return model;

@@ -278,6 +278,11 @@ void check_motion(Scene& scene, const BodyNames& names) {
              names.check(table, given.nodes, where);
              table.keys(given);
            });
+  for_each(scene.initial_stresses, "initial_stress", [&](const Table& table, InitialStress& given, const auto& where) {
+    if (given.elements.empty()) names.check(table, given.nodes, where);
+    names.check_any(table, given.nodes, where);
+    table.keys(given);
+  });
 }
 
 void check_loads(Scene& scene, const BodyNames& names) {

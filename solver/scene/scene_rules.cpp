@@ -114,6 +114,7 @@ void complete_scene(Scene& scene) {
   }
   for (PointMass& point : scene.point_masses) make_unit(point.nodes);
   for (InitialVelocity& given : scene.initial_velocities) make_unit(given.nodes);
+  for (InitialStress& given : scene.initial_stresses) make_unit(given.nodes);
   for (Probe& probe : scene.probes) {
     if (probe.quantities.empty()) probe.quantities = probe_quantities(probe.kind);
   }

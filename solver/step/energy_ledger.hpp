@@ -31,6 +31,8 @@ class EnergyLedger {
   /// below which what is left over is no more than what the numbers are rounded by [-]; at_rest: what rounding alone
   /// moves [energy].
   void set_drift(double drift, double rounding, double at_rest = 0);
+  /// Before the first step: what initial stresses have stored [energy].
+  void begin_with(double internal) { energies_.internal = internal; }
   /// Where all elements are at one time: the total, and how far it is off.
   void close(bool first, double kinetic);
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include <solver/base/built_features.hpp>
 #include <solver/boundary/space/model_arrays.hpp>
 #include <solver/device/device_run.hpp>
+#include <solver/model/initial_stresses.hpp>
 #include <solver/model/selection/near_nodes.hpp>
 #include <solver/results/sound_bounds.hpp>
 
@@ -97,6 +99,9 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
   guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
   initial_momentum_ = momentum();
+  const std::vector<double> stored = initial_strain_energies(model_);
+  ledger_.begin_with(std::accumulate(stored.begin(), stored.end(), 0.0));
+  body_energies_.begin_with(stored);
   bodies_at_start_ = bodies_of(model_);
   if (rigid_.any()) contact_.set_rigid_sides(rigid_.sides());
   choose_common_nodes();

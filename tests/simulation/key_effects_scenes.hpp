@@ -152,6 +152,8 @@ inline std::map<std::string, std::string> key_effects_scenes() {
       {"initial velocities", acted_on("[[initial_velocity]]\nvelocity = [0.1, 0, 0]\nbody = \"a\"\nplane = { normal = "
                                       "[0, 0, 1] }\n[[initial_velocity]]\nangular_velocity = [0.1, 0, 0]\nbody = "
                                       "\"b\"\n")},
+      {"initial stresses", acted_on("[[initial_stress]]\nstress = [1e-3, 0, 2e-3]\nshear_stress = [0, 1e-3, 0]\n"
+                                    "body = \"a\"\nbox = { low = [0, 0, 0], high = [1, 1, 0.5] }\n")},
       {"probes", acted_on("[[probe]]\nname = \"tip\"\npoint = [1, 1, 1]\n[[probe]]\nname = \"inner\"\n"
                           "kind = \"element\"\npoint = [0.2, 0.2, 0.2]\nbody = \"a\"\n")},
       {"rigid bodies", acted_on("velocity = [0, 0, -0.2]\n[body.element]\nhourglass = \"viscous\"\n[[rigid_body]]\n"

@@ -215,7 +215,7 @@ bool is_default(const std::string& kind, const std::string& key, const GivenValu
                   EquationOfStateSettings, ErosionSettings, Body, RoundNosedRodMesh, CylinderMesh, SphereMesh,
                   RigidBody, AttachedNodes, RigidMotion, Joint, PlaneConstraint, FixedConstraint, EquationTerm, Plane,
                   Line, RigidWall, PrescribedVelocity, NodalLoad, Pressure, Gravity, PointMass, InitialVelocity,
-                  Probe>();
+                  InitialStress, Probe>();
   const auto of_kind = all.find(kind);
   if (of_kind == all.end()) return false;
   const auto found = of_kind->second.find(key);

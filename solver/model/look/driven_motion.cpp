@@ -7,6 +7,7 @@
 #include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
+#include <solver/model/selection/selected_elements.hpp>
 
 namespace pinball {
 
@@ -74,6 +75,7 @@ class DrivenMotions {
       let_swing(all_[g], swing_[g]);
       strain(g);
     }
+    if (!scene_.initial_stresses.empty()) release();
     return std::move(all_);
   }
 
@@ -263,6 +265,27 @@ class DrivenMotions {
       all_[g].strained[j] += std::abs(course.second[j]) * apart / weight.mass;
     }
   }
+  /// What no force holds: places go with up to twice the speed of a wave of the initial stress, and come to rest within
+  /// twice the strain of it.
+  void release() {
+    const std::vector<std::size_t> material = material_of_bodies(scene_);
+    std::vector<double> speed(all_.size(), 0.0), reach(all_.size(), 0.0);
+    const double extent = mesh_size(mesh_);
+    for (const InitialStress& given : scene_.initial_stresses) {
+      const double size = std::hypot(norm(given.stress), std::sqrt(2.0) * norm(given.shear_stress));
+      for (const std::int32_t e : select_elements(mesh_, given)) {
+        const Material& of = scene_.materials[material[mesh_.body[e]]];
+        const std::size_t g = group_[mesh_.body[e]];
+        if (!(of.shear_modulus > 0)) continue;
+        speed[g] = std::max(speed[g], 2 * size / std::sqrt(of.density * of.shear_modulus));
+        reach[g] = std::max(reach[g], 2 * size / of.shear_modulus * extent);
+      }
+    }
+    for (std::size_t g = 0; g < all_.size(); ++g) {
+      for (std::size_t j = 0; j < times_.size(); ++j) all_[g].strained[j] += std::min(speed[g] * times_[j], reach[g]);
+    }
+  }
+
   /// What forces do beside moving the whole.
   void strain(std::size_t g) {
     for (std::size_t j = 0; j < times_.size(); ++j) {

@@ -131,7 +131,7 @@ bool selects_by_place(const Scene& scene) {
          any(scene.attached_nodes, &AttachedNodes::nodes) ||
          any(scene.prescribed_velocities, &PrescribedVelocity::nodes) || any(scene.loads, &NodalLoad::nodes) ||
          any(scene.pressures, &Pressure::faces) || any(scene.point_masses, &PointMass::nodes) ||
-         any(scene.initial_velocities, &InitialVelocity::nodes);
+         any(scene.initial_velocities, &InitialVelocity::nodes) || any(scene.initial_stresses, &InitialStress::nodes);
 }
 
 SelectedNodes selected_nodes(const ModelMesh& mesh, const NodeSelection& selection) {

@@ -57,6 +57,7 @@ void for_each_selection_of_nodes(const Scene& scene, const Look& look) {
   for (const NodalLoad& load : scene.loads) look(load.nodes);
   for (const PointMass& point : scene.point_masses) look(point.nodes);
   for (const InitialVelocity& given : scene.initial_velocities) look(given.nodes);
+  for (const InitialStress& given : scene.initial_stresses) look(given.nodes);
 }
 
 /// Whether anything of the scene asks where nodes lie.

@@ -8,6 +8,7 @@
 #include <solver/base/counted.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
+#include <solver/model/selection/selected_elements.hpp>
 #include <solver/scene/schema/choices.hpp>
 
 #include "info_material.hpp"
@@ -153,6 +154,11 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
   for (const InitialVelocity& v : scene.initial_velocities) {
     fmt::print("  initial velocity: {}{} of {}{}\n", vector_text(v.velocity, units.velocity), components_text(v),
                nodes_text(model.mesh, v.nodes), spin_text(v, units));
+  }
+  for (const InitialStress& given : scene.initial_stresses) {
+    fmt::print("  initial stress: {}, shear {} in {}\n", vector_text(given.stress, units.stress),
+               vector_text(given.shear_stress, units.stress),
+               counted(select_elements(model.mesh, given).size(), "element"));
   }
   if (scene.damping.mass > 0)
     fmt::print("  damping: {} times mass and velocity\n", with_unit(scene.damping.mass, per_time(units)));

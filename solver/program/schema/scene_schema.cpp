@@ -157,6 +157,7 @@ SchemaJson definitions() {
   define<Gravity>(all);
   define<PointMass>(all, some_nodes());
   define<InitialVelocity>(all, some_nodes(), {{"anyOf", {required({"velocity"}), required({"angular_velocity"})}}});
+  define<InitialStress>(all, {{"anyOf", {required({"elements"}), some_nodes()}}});
   define<Probe>(all, {{"oneOf", {required({"point"}), required({"node"}), required({"element"})}}});
   return all;
 }

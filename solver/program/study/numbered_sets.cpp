@@ -34,6 +34,7 @@ void for_each_list(SceneOrConst& scene, const Visit& visit) {
   all(scene.loads, "load", nodes);
   all(scene.point_masses, "point_mass", nodes);
   all(scene.initial_velocities, "initial_velocity", nodes);
+  all(scene.initial_stresses, "initial_stress", nodes);
   all(
       scene.pressures, "pressure", [](auto& item) -> auto& { return item.faces; });
 }
@@ -182,6 +183,11 @@ void require_numbers_that_carry(const Scene& scene) {
     fail(fmt::format("pressure.{}.faces", pressure.name), "faces alone where the elements of a file are split");
   }
   require_pairs_that_carry(scene);
+  for (std::size_t i = 0; i < scene.initial_stresses.size(); ++i) {
+    if (scene.initial_stresses[i].elements.empty()) continue;
+    fail(fmt::format("initial_stress.{}.elements", i),
+         "a set or a place of elements: on a finer mesh there are eight in the place of one");
+  }
   for (const Probe& probe : scene.probes) {
     if (!probe.number || probe.kind != ProbeKind::element) continue;
     fail(fmt::format("probe.{}.element", probe.name),

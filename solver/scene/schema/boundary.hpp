@@ -208,6 +208,23 @@ constexpr void describe(Of<InitialVelocity>, Visit&& visit) {
 }
 
 template <class Visit>
+constexpr void describe(Of<InitialStress>, Visit&& visit) {
+  using T = InitialStress;
+  visit(Key{
+      "stress",
+      &T::stress,
+      "xx, yy, zz of Cauchy's stress, along x, y, z as the mesh lies; the last table that selects an element counts",
+      {.unit = "M/(L T^2)"}});
+  visit(Key{"shear_stress", &T::shear_stress, "xy, yz, zx", {.unit = "M/(L T^2)"}});
+  visit(Key{"plastic_strain", &T::plastic_strain, "effective, of what yields", {.unit = "-", .bound = not_negative}});
+  visit(Key{"elements",
+            &T::elements,
+            "`[11, 12, ...]`: the numbers that the mesh file gives its elements",
+            {.bound = {.low = 0}, .listed = Listed::where_given}});
+  visit(Group{"nodes", &T::nodes, "which elements: those of a set or a part, or those with all corners here"});
+}
+
+template <class Visit>
 constexpr void describe(Of<Probe>, Visit&& visit) {
   using T = Probe;
   visit(Key{"name",

@@ -60,6 +60,7 @@ constexpr Kind kind(Of<Pressure>) { return {"pressure", "pressure.NUMBER"}; }
 constexpr Kind kind(Of<Gravity>) { return {"gravity", "gravity.NUMBER"}; }
 constexpr Kind kind(Of<PointMass>) { return {"point_mass", "point_mass.NUMBER"}; }
 constexpr Kind kind(Of<InitialVelocity>) { return {"initial_velocity", "initial_velocity.NUMBER"}; }
+constexpr Kind kind(Of<InitialStress>) { return {"initial_stress", "initial_stress.NUMBER"}; }
 constexpr Kind kind(Of<DampingSettings>) { return {"damping", "damping"}; }
 constexpr Kind kind(Of<Probe>) { return {"probe", "probe.NAME"}; }
 

@@ -119,6 +119,7 @@ constexpr void describe(Of<Scene>, Visit&& visit) {
   visit(Tables{"gravity", "gravities", &T::gravities, "accelerations of bodies"});
   visit(Tables{"point_mass", "point_masses", &T::point_masses, "at nodes, beside those of elements"});
   visit(Tables{"initial_velocity", "initial_velocities", &T::initial_velocities, "of nodes, in place of their body's"});
+  visit(Tables{"initial_stress", "initial_stresses", &T::initial_stresses, "of elements at the start"});
   visit(Tables{"damping", "damping", &T::damping, "of all nodes"});
   visit(Tables{"probe", "probes", &T::probes, "history of a node or an element"});
   visit(FileKey<Variants>{"variant", "`[variant.NAME]`: changes of keys that `--set variant=NAME` makes"});

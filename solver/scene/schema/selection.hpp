@@ -40,6 +40,9 @@ inline bool nothing_of_a_file(const NodeSelection& nodes, const Scene& scene) {
   for (const Pressure& pressure : scene.pressures) {
     if (&pressure.faces == &nodes && !pressure.corners.empty()) return false;
   }
+  for (const InitialStress& given : scene.initial_stresses) {
+    if (&given.nodes == &nodes && !given.elements.empty()) return false;
+  }
   return nodes.set.empty() && nodes.nodes.empty() && nodes.without.empty();
 }
 

@@ -132,6 +132,14 @@ InitialVelocity read_initial_velocity(const SceneTable& table) {
   return given;
 }
 
+InitialStress read_initial_stress(const SceneTable& table) {
+  InitialStress given;
+  given.nodes.where = table.place();
+  read_keys(table, given);
+  if (given.elements.empty()) require_selection(table, given.nodes);
+  return given;
+}
+
 namespace {
 
 /// At most one of point, node and element says what is watched; a number also says of which kind it is.

@@ -23,6 +23,7 @@ Pressure read_pressure(const SceneTable& table, std::size_t number);
 Gravity read_gravity(const SceneTable& table, const std::vector<std::string>& bodies);
 PointMass read_point_mass(const SceneTable& table);
 InitialVelocity read_initial_velocity(const SceneTable& table);
+InitialStress read_initial_stress(const SceneTable& table);
 Probe read_probe(const SceneTable& table);
 
 }  // namespace pinball

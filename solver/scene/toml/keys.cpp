@@ -92,7 +92,7 @@ std::vector<TableKeys> all_kinds() {
   add(keys_of<RigidBody, AttachedNodes, RigidMotion, Joint>());
   add({together("constraint", keys_of<PlaneConstraint, FixedConstraint>())});
   add(keys_of<PlaneConstraint, FixedConstraint, EquationTerm, Plane, Line, Box, RigidWall, PrescribedVelocity,
-              NodalLoad, Pressure, Gravity, PointMass, InitialVelocity, DampingSettings, Probe>());
+              NodalLoad, Pressure, Gravity, PointMass, InitialVelocity, InitialStress, DampingSettings, Probe>());
   return all;
 }
 

@@ -88,6 +88,7 @@ void list_boundary(const Scene& scene, std::vector<SceneEntry>& all) {
   list_numbered("gravity", scene.gravities, all);
   list_numbered("point_mass", scene.point_masses, all);
   list_initial_velocities(scene, all);
+  list_numbered("initial_stress", scene.initial_stresses, all);
   list_probes(scene, all);
 }
 

@@ -128,6 +128,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   for (const auto& table : tables("initial_velocity")) {
     scene.initial_velocities.push_back(read_initial_velocity(table));
   }
+  for (const auto& table : tables("initial_stress")) scene.initial_stresses.push_back(read_initial_stress(table));
   Names columns(scene.bodies);  // of history.csv
   for (const auto& table : tables("probe")) {
     const Probe probe = read_probe(table);

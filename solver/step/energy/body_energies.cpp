@@ -1,5 +1,6 @@
 #include "body_energies.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include <solver/model/mass_shares.hpp>
@@ -19,6 +20,11 @@ BodyEnergies<S>::BodyEnergies(const Model<S>& model, const BoundaryKernels<S>& k
     motion_.push_back(kernels.motion(body.nodes, body.share, mass));
   }
   energies_.resize(bodies);
+}
+
+template <class S>
+void BodyEnergies<S>::begin_with(const std::vector<double>& internal) {
+  for (std::size_t b = 0; b < std::min(internal.size(), energies_.size()); ++b) energies_[b].internal = internal[b];
 }
 
 template <class S>

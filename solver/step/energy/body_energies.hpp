@@ -28,6 +28,8 @@ class BodyEnergies {
   BodyEnergies(const Model<S>& model, const BoundaryKernels<S>& kernels);
   bool any() const { return !motion_.empty(); }
 
+  /// Before the first step: what initial stresses have stored in each body; empty: nothing [energy].
+  void begin_with(const std::vector<double>& internal);
   /// Adds what the elements of each body have done in a step.
   void book(const std::vector<ElementWork>& of_body);
   /// Before the integration, when all forces are known: the kinetic energy at their time (node_update.hpp).
