@@ -55,6 +55,8 @@ void translate_abaqus_boundary(AbaqusData& data, const AbaqusTransforms& transfo
 /// EQUATION and MPC: [[equation]], a term each.
 void translate_abaqus_equations(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene);
 void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene);
+/// *INITIAL CONDITIONS, TYPE=STRESS and TYPE=HARDENING: [[initial_stress]].
+void translate_abaqus_initial_stresses(AbaqusData& data, DeckScene& scene);
 /// CLOAD, DLOAD: [[load]], [[gravity]].
 void translate_abaqus_loads(AbaqusData& data, const AbaqusTransforms& transforms, DeckScene& scene);
 /// CONTACT and its options: [contact]. Returns whether anything says what touches.

@@ -83,8 +83,10 @@ const std::vector<AbaqusRule>& abaqus_rules() {
        "NAME DEFINITION=TABULAR|SMOOTHSTEP|EQUALLYSPACED TIME=STEPTIME|TOTALTIME VALUE=RELATIVE|ABSOLUTE FIXEDINTERVAL "
        "BEGIN INPUT"},
       {"INITIAL CONDITIONS", done,
-       "TYPE=VELOCITY; TYPE=ROTATING VELOCITY; TYPE=TEMPERATURE, the same for all nodes of a material",
-       "TYPE=VELOCITY|ROTATINGVELOCITY|TEMPERATURE DEFINITION=COORDINATES"},
+       "TYPE=VELOCITY; TYPE=ROTATING VELOCITY; TYPE=TEMPERATURE, the same for all nodes of a material; TYPE=STRESS, "
+       "one "
+       "for each element; TYPE=HARDENING without back stress",
+       "TYPE=VELOCITY|ROTATINGVELOCITY|TEMPERATURE|STRESS|HARDENING DEFINITION=COORDINATES"},
       {"STEP", done, "one after the other; in those behind the first BOUNDARY, CLOAD, DLOAD, DSLOAD and output alone",
        "NAME NLGEOM=YES| AMPLITUDE=STEP|RAMP INC"},
       {"END STEP", done, ""},

@@ -119,6 +119,7 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   translate_abaqus_boundary(data, transforms, boundary);
   translate_abaqus_equations(data, transforms, boundary);
   translate_abaqus_initial_velocities(data, boundary);
+  translate_abaqus_initial_stresses(data, boundary);
   translate_abaqus_loads(data, transforms, boundary);
   data.point_masses.write(mesh.file.node_ids, "mass", "ELSET", boundary);
   translate_abaqus_rigid_bodies(data, bodies);

@@ -172,7 +172,7 @@ void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
   const AbaqusBlock* last = nullptr;
   for (const AbaqusBlock& block : data.deck.blocks) {
     const std::string type = block.option("TYPE");
-    if (block.name != "INITIALCONDITIONS" || type == "TEMPERATURE" || type == "ROTATINGVELOCITY") continue;
+    if (block.name != "INITIALCONDITIONS" || type != "VELOCITY") continue;
     last = &block;
     DataLines lines(block);
     while (const auto card = lines.next()) {

@@ -55,6 +55,7 @@ void translate_node_codes(DeckData& data, DeckScene& scene);
 void translate_single_point_constraints(DeckData& data, DeckScene& scene);
 void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 void translate_initial_velocity(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+void translate_initial_stress(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 void translate_velocity_generation(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 /// Where there are several kinds of initial velocities.

@@ -25,8 +25,8 @@ bool has_places(const KeywordBlock& block) {
 /// Its cards give vectors.
 bool has_vectors(const KeywordBlock& block) {
   if (keyword_alias(block.name) == "MAT_ORTHOTROPIC_ELASTIC") return true;
-  return begins_with_one_of(block.name,
-                            {"DEFINE_VECTOR", "DEFINE_COORDINATE_", "INITIAL_VELOCITY", "LOAD_BODY_VECTOR"});
+  return begins_with_one_of(
+      block.name, {"DEFINE_VECTOR", "DEFINE_COORDINATE_", "INITIAL_VELOCITY", "INITIAL_STRESS_", "LOAD_BODY_VECTOR"});
 }
 /// Its cards name axes: x, y, z.
 bool names_axes(const KeywordBlock& block) {

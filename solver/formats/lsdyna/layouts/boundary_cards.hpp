@@ -2,7 +2,8 @@
 
 #include "common_fields.hpp"
 
-/// *BOUNDARY_..., *INITIAL_VELOCITY..., *RIGIDWALL_PLANAR..., *LOAD_..., *DATABASE_HISTORY_...
+/// *BOUNDARY_..., *INITIAL_VELOCITY..., *INITIAL_STRESS_SOLID..., *RIGIDWALL_PLANAR..., *LOAD_...,
+/// *DATABASE_HISTORY_...
 namespace pinball::layout {
 
 constexpr CardLayout held(std::string_view target) {
@@ -50,6 +51,27 @@ inline constexpr CardLayout velocity_axis{number("XC"),
                                           whole("IRIGID")};
 inline constexpr CardLayout velocity_rigid{whole("PID").always(), number("VX"),  number("VY"),  number("VZ"),
                                            number("VXR"),         number("VYR"), number("VZR"), whole("ICID")};
+
+constexpr CardLayout stress_of(std::string_view target) {
+  return {whole(target).always(),
+          whole("NINT", 1).from(1, 27),
+          whole("NHISV").at_least(0),
+          whole("LARGE").from(0, 1),
+          whole("IVEFLG").from(0, 1),
+          whole("IALEGP").reported("of ALE"),
+          whole("NTHINT").rejected(of_thermal),
+          whole("NTHHSV").reported(of_thermal)};
+}
+inline constexpr CardLayout stress_element = stress_of("EID"), stress_set = stress_of("SID");
+inline constexpr CardLayout stress_point{number("SIGXX"), number("SIGYY"), number("SIGZZ"),          number("SIGXY"),
+                                         number("SIGYZ"), number("SIGZX"), number("EPS").at_least(0)};
+constexpr CardField long_number(std::string_view name) { return number(name).columns(16); }
+inline constexpr std::string_view of_law = "history variables are their law's own";
+inline constexpr CardLayout stress_long{long_number("SIGXX"), long_number("SIGYY"), long_number("SIGZZ"),
+                                        long_number("SIGXY"), long_number("SIGYZ")};
+inline constexpr CardLayout stress_long_more{
+    long_number("SIGZX"), long_number("EPS").at_least(0), long_number("HISV1").reported(of_law),
+    long_number("HISV2").reported(of_law), long_number("HISV3").reported(of_law)};
 
 inline constexpr CardLayout wall_nodes{whole("NSID"),
                                        whole("NSIDEX"),

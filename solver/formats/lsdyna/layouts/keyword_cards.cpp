@@ -138,6 +138,11 @@ void add_boundaries(Table& table) {
     table.push_back({name, "", {&l::velocity_nodes, &l::velocity, &l::velocity_exempt}});
   table.push_back({"INITIAL_VELOCITY_NODE", "", {&l::velocity_node}});
   table.push_back({"INITIAL_VELOCITY_GENERATION", "", {&l::velocity_generation, &l::velocity_axis}});
+  for (const auto& [name, head] :
+       {std::pair{"INITIAL_STRESS_SOLID", &l::stress_element}, std::pair{"INITIAL_STRESS_SOLID_SET", &l::stress_set}}) {
+    table.push_back({name, "", {head, &l::stress_point}});
+    table.push_back({name, "LARGE", {head, &l::stress_long, &l::stress_long_more}});
+  }
   table.push_back({"INITIAL_VELOCITY_RIGID_BODY", "", {&l::velocity_rigid}});
   table.push_back({"RIGIDWALL_PLANAR", "", {&l::wall_nodes, &l::wall_plane}});
   table.push_back({"RIGIDWALL_PLANAR_FINITE", "", {&l::wall_nodes, &l::wall_plane, &l::wall_rectangle}});

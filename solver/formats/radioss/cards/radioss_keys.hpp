@@ -43,6 +43,8 @@ void translate_radioss_joints(RadiossData& data, const std::vector<RadiossJoint>
 void translate_radioss_boundary(RadiossData& data, DeckScene& scene);
 /// /INIVEL/...: [[initial_velocity]].
 void translate_radioss_velocities(RadiossData& data, DeckScene& scene);
+/// /INIBRI/STRESS, /EPSP and /STRS_FGLO: [[initial_stress]].
+void translate_radioss_stresses(RadiossData& data, DeckScene& scene);
 /// /ADMAS of nodes that are no main nodes of an /RBODY: [[point_mass]].
 void translate_radioss_added_masses(RadiossData& data, DeckScene& scene);
 /// /CLOAD, /PLOAD, /GRAV: [[load]], [[pressure]], [[gravity]].

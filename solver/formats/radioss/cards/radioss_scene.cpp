@@ -83,6 +83,7 @@ TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const 
   translate_radioss_walls(data, boundary);  // whose nodes the next ones pass over
   translate_radioss_boundary(data, boundary);
   translate_radioss_velocities(data, boundary);
+  translate_radioss_stresses(data, boundary);
   translate_radioss_loads(data, boundary);
   translate_radioss_added_masses(data, boundary);
   translate_radioss_rigid_bodies(data, bodies);

@@ -36,6 +36,25 @@ inline constexpr CardLayout velocity_axis{word("Dir"), whole("frame_ID"), whole(
 inline constexpr CardLayout velocity_spin{real("Vxt"), real("Vyt"), real("Vzt"), real("Vr")};
 inline constexpr CardLayout velocity_start{real("Tstart").rejected("velocities are those of the start"),
                                            sensor("sens_ID")};
+inline constexpr CardLayout stress_normal{whole("brick_ID").always(), real("sigma_x"), real("sigma_y"),
+                                          real("sigma_z")};
+inline constexpr CardLayout stress_shear{real("sigma_xy"), real("sigma_yz"), real("sigma_zx")};
+inline constexpr CardLayout stress_plastic{whole("brick_ID").always(), real("eps_p").at_least(0)};
+inline constexpr std::string_view one_point = "there is one point", one_element = "give each element its own";
+inline constexpr CardLayout stress_full{whole("brick_ID").always(),
+                                        whole("Nb_integr").always(),
+                                        whole("Isolnod").always(),
+                                        whole("Isolid"),
+                                        whole("nptr").reported(one_point),
+                                        whole("npts").reported(one_point),
+                                        whole("nptt").reported(one_point),
+                                        whole("nlay").reported(one_point),
+                                        whole("grbric_ID").rejected(one_element)};
+inline constexpr CardLayout stress_full_energy{
+    real("Eint").reported("the internal energy begins with that of the stress"),
+    real("RHO").reported("masses are those of the undeformed material")};
+inline constexpr CardLayout stress_full_normal{real("sigma_1"), real("sigma_2"), real("sigma_3")};
+inline constexpr CardLayout stress_full_plastic{real("Epsilon_p").at_least(0)};
 inline constexpr CardLayout wall_nodes{whole("node_ID"), whole("Slide").from(0, 2), whole("grnd_ID1"),
                                        whole("grnd_ID2"), whole("Iform").reported("walls are exact")};
 inline constexpr CardLayout wall_friction{real("d"), real("fric"), real("Diameter").reported("of other walls"),

@@ -94,6 +94,10 @@ void add_boundaries(Table& table) {
   add(table, "INIVEL/TRA", {&r::velocity, &r::velocity_start});
   add(table, "INIVEL/ROT", {&r::velocity_of_turning, &r::velocity_start});
   add(table, "INIVEL/AXIS", {&r::velocity_axis, &r::velocity_spin, &r::velocity_start});
+  add(table, "INIBRI/STRESS", {&r::stress_normal, &r::stress_shear});
+  add(table, "INIBRI/EPSP", {&r::stress_plastic});
+  add(table, "INIBRI/STRS_FGLO",
+      {&r::stress_full, &r::stress_full_energy, &r::stress_full_normal, &r::stress_shear, &r::stress_full_plastic});
   add(table, "CLOAD", {&r::nodal_load});
   add(table, "PLOAD", {&r::pressure});
   add(table, "GRAV", {&r::gravity});

@@ -29,9 +29,9 @@ struct RadiossBlock {
 
   /// The number of what it defines. Throws InputError where there is none.
   std::int64_t id() const;
-  /// The number of its units, behind that of what it defines, which /NODE has not; 0: those of the deck.
+  /// The number of its units, behind that of what it defines, which /NODE and /INIBRI have not; 0: those of the deck.
   std::int64_t unit() const {
-    const std::size_t at = name == "NODE" ? 0 : 1;
+    const std::size_t at = name == "NODE" || name.starts_with("INIBRI/") ? 0 : 1;
     return numbers.size() > at ? numbers[at] : 0;
   }
 };
